@@ -1,0 +1,27 @@
+#pragma once
+/// \file offscreen_context.h
+/// OpenGL without a display: neither X nor a monitor nor a graphics card is needed.
+
+#include <memory>
+
+class vtkRenderWindow;
+
+namespace abut {
+
+/// A VTK render window on an OpenGL context of our own (EGL, surfaceless; Mesa's software renderer if there is no
+/// other). Debian's VTK knows only X windows by itself. Throws std::runtime_error if the system has no such OpenGL.
+class OffscreenContext {
+public:
+    OffscreenContext();
+    ~OffscreenContext();
+    OffscreenContext(const OffscreenContext&) = delete;
+    OffscreenContext& operator=(const OffscreenContext&) = delete;
+
+    vtkRenderWindow& window();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace abut

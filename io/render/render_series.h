@@ -1,0 +1,36 @@
+#pragma once
+/// \file render_series.h
+/// Result series as pictures, without a display.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace abut {
+
+struct RenderOptions {
+    std::string preset; ///< "bodies", "pressure", "von-mises", "velocity", "normals": sets `array` and `normals`
+    std::string array = "body"; ///< particle array that colours the particles
+    int component = -1;         ///< of `array`; -1: its magnitude
+    bool normals = false;       ///< arrows at the contact pairs in contact, from body_a to body_b
+    bool domains = true;        ///< plane particles as their deformed domains; false: as dots
+    int width = 1000;           ///< [pixels]
+    int height = 0;             ///< [pixels]; 0: from the proportions of the scene
+    std::optional<std::pair<double, double>>
+        range;                              ///< of the colours, in the array's SI unit; default: all values drawn
+    std::optional<std::vector<int>> frames; ///< which frames of the series, from 0; default all
+    bool last_only = false;                 ///< only the last frame
+    std::filesystem::path output;           ///< folder of the pictures; default RESULTS/frames/<preset or array>
+};
+
+/// Draws the frames of `result_dir`/particles.pvd as `frame_00000.png`, …, numbered as in the series; view and colours
+/// are the same in all. Returns the files written. Throws std::runtime_error if the folder, the series, a file, the
+/// array, the preset or a frame is missing or broken, naming it and what there is.
+std::vector<std::filesystem::path> render_series(const std::filesystem::path& result_dir, const RenderOptions& options);
+
+/// The names that RenderOptions::preset takes.
+const std::vector<std::string>& render_presets();
+
+} // namespace abut

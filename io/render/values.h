@@ -1,0 +1,45 @@
+#pragma once
+/// \file values.h
+/// One number per particle out of a frame's arrays, and how such numbers are shown: unit, range, ticks, colours.
+
+#include "io/render/colours.h"
+#include "results/frame.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace abut {
+
+/// The array of this name, or null.
+const Array* find_array(const PointFrame& frame, const std::string& name);
+
+/// Component `component` of each tuple; with -1 its magnitude (of symmetric tensors the Frobenius norm), or the value
+/// itself if there is only one component.
+std::vector<double> values_of(const Array& array, int component);
+
+/// Smallest and largest finite value, empty if there is none.
+using Range = std::optional<std::pair<double, double>>;
+Range range_of(const std::vector<double>& values);
+Range joined(const Range& a, const Range& b);
+
+/// How values become colours and how the colour bar reads.
+struct ColourScale {
+    std::string quantity;        ///< "von Mises stress"
+    std::string unit;            ///< "GPa"; "" for pure numbers and unknown units
+    double lower = 0, upper = 1; ///< in the array's own unit (SI)
+    ColourMap map = ColourMap::sequential;
+    std::vector<std::pair<double, std::string>> ticks; ///< value in the array's unit, and its label
+
+    Rgb colour(double value) const { return map_colour(map, (value - lower) / (upper - lower)); }
+};
+
+/// A scale for component `component` of an array. With `exact` the range is used as it is; otherwise it is rounded
+/// outwards to what reads well: from zero if all values have one sign, symmetric about zero if both signs matter.
+ColourScale colour_scale(const Array& array, int component, Range range, bool exact);
+
+/// Numbers 1, 2 or 5 times a power of ten: the largest not above `value` (> 0).
+double round_down_nicely(double value);
+
+} // namespace abut

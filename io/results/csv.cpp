@@ -1,0 +1,83 @@
+#include "io/results/csv.h"
+
+#include <fmt/format.h>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace abut {
+namespace {
+
+constexpr std::size_t buffer_size = 1 << 16; // bytes before the buffer is written unasked
+
+/// Quoted only where RFC 4180 asks for it.
+void append_cell(std::string& buffer, std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+        buffer += text;
+        return;
+    }
+    buffer += '"';
+    for (const char c : text) {
+        if (c == '"') buffer += '"';
+        buffer += c;
+    }
+    buffer += '"';
+}
+
+void append_cell(std::string& buffer, double value) {
+    fmt::format_to(std::back_inserter(buffer), "{}", value);
+}
+void append_cell(std::string& buffer, std::int64_t value) {
+    fmt::format_to(std::back_inserter(buffer), "{}", value);
+}
+
+} // namespace
+
+CsvTable::CsvTable(const std::filesystem::path& path, const std::vector<std::string>& columns)
+    : file_(path), columns_(columns.size()) {
+    for (const std::string& name : columns) {
+        append_cell(buffer_, std::string_view(name));
+        buffer_ += ',';
+    }
+    end_row(columns.size());
+    flush();
+}
+
+CsvTable::~CsvTable() {
+    try {
+        flush();
+    } catch (const std::exception&) { // a destructor cannot report it
+    }
+}
+
+void CsvTable::row(std::span<const Value> values) {
+    for (const Value& value : values) {
+        std::visit([&](const auto& v) { append_cell(buffer_, v); }, value);
+        buffer_ += ',';
+    }
+    end_row(values.size());
+}
+
+void CsvTable::row(std::span<const double> values) {
+    for (const double value : values) {
+        append_cell(buffer_, value);
+        buffer_ += ',';
+    }
+    end_row(values.size());
+}
+
+void CsvTable::end_row(std::size_t values) {
+    if (values != columns_)
+        throw std::logic_error(fmt::format("a row of {} values in a table of {} columns", values, columns_));
+    if (values > 0) buffer_.pop_back();
+    buffer_ += '\n';
+    if (buffer_.size() > buffer_size) flush();
+}
+
+void CsvTable::flush() {
+    if (buffer_.empty()) return;
+    const std::string rows = std::exchange(buffer_, {}); // a failed write is reported once, not again by the destructor
+    file_.write(rows);
+}
+
+} // namespace abut

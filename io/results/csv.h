@@ -1,0 +1,45 @@
+#pragma once
+/// \file csv.h
+/// Tables that grow row by row: history.csv, bodies.csv.
+
+#include "io/results/output_file.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace abut {
+
+/// A CSV file under way. Reals are written in the shortest form that reads back to the same bits. Rows are buffered and
+/// reach the file in whole rows, by `flush` or when the buffer is full; so a killed run leaves whole rows.
+/// Every failure (disk full, no such folder) throws std::runtime_error naming the file and the cause.
+class CsvTable {
+public:
+    using Value = std::variant<double, std::int64_t, std::string_view>;
+
+    /// Creates or replaces the file and writes the header.
+    CsvTable(const std::filesystem::path& path, const std::vector<std::string>& columns);
+    CsvTable(CsvTable&&) noexcept = default;
+    CsvTable& operator=(CsvTable&&) noexcept = default;
+    ~CsvTable(); ///< flushes; a failure is only noticed by calling flush() before
+
+    /// Adds a row, one value a column; std::logic_error if their number differs.
+    void row(std::span<const Value> values);
+    void row(std::initializer_list<Value> values) { row(std::span(values.begin(), values.size())); }
+    void row(std::span<const double> values);
+    void flush();
+
+private:
+    void end_row(std::size_t values);
+
+    OutputFile file_;
+    std::size_t columns_;
+    std::string buffer_;
+};
+
+} // namespace abut

@@ -1,0 +1,36 @@
+#pragma once
+/// \file output_file.h
+/// Files that are written completely or reported: an unbuffered output file, and the replacement of a whole file.
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace abut {
+
+/// A file open for writing, from its beginning. Nothing is buffered here: what `write` accepted survives a killed
+/// program. Every failure throws std::runtime_error "FILE: cannot write: CAUSE".
+class OutputFile {
+public:
+    /// Creates or empties `path`. Messages name `shown` instead, if given.
+    explicit OutputFile(const std::filesystem::path& path, const std::filesystem::path& shown = {});
+    OutputFile(OutputFile&& other) noexcept;
+    OutputFile& operator=(OutputFile&& other) noexcept;
+    ~OutputFile();
+
+    void write(std::string_view bytes);
+    void sync();  ///< waits until the bytes are on the disk
+    void close(); ///< reports what the destructor would swallow
+
+private:
+    std::filesystem::path shown_;
+    int descriptor_ = -1;
+};
+
+/// Replaces `path` as a whole: `write` gets the name of an empty temporary file in the same folder and fills it; the
+/// file is then synced to the disk and renamed. Whoever reads `path` at any moment sees the old file or the new one,
+/// complete. On failure (also when `write` throws) the temporary file is removed and the old file stays.
+void replace_file(const std::filesystem::path& path,
+                  const std::function<void(const std::filesystem::path& temporary)>& write);
+
+} // namespace abut

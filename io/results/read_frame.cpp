@@ -1,0 +1,115 @@
+#include "io/results/read_frame.h"
+
+#include "io/results/vtk_messages.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <stdexcept>
+#include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+namespace abut {
+namespace {
+
+template <class Value>
+std::vector<Value> copy(vtkDataArray& array) {
+    std::vector<Value> values(static_cast<std::size_t>(array.GetNumberOfValues()));
+    std::vector<double> tuple(static_cast<std::size_t>(array.GetNumberOfComponents()));
+    auto out = values.begin();
+    for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i) {
+        array.GetTuple(i, tuple.data());
+        out = std::transform(tuple.begin(), tuple.end(), out, [](double v) { return static_cast<Value>(v); });
+    }
+    return values;
+}
+
+Array copy_array(vtkDataArray& array) {
+    Array result{array.GetName() ? array.GetName() : "", array.GetNumberOfComponents(), {}};
+    if (array.GetDataType() == VTK_DOUBLE || array.GetDataType() == VTK_FLOAT)
+        result.values = copy<double>(array);
+    else
+        result.values = copy<std::int32_t>(array);
+    return result;
+}
+
+void read_fields(vtkDataSet& data, double& time, std::vector<Array>& arrays, std::vector<Array>* globals,
+                 std::vector<Words>& words) {
+    for (int i = 0; i < data.GetPointData()->GetNumberOfArrays(); ++i)
+        if (vtkDataArray* array = data.GetPointData()->GetArray(i)) arrays.push_back(copy_array(*array));
+    for (int i = 0; i < data.GetFieldData()->GetNumberOfArrays(); ++i) {
+        vtkAbstractArray* field = data.GetFieldData()->GetAbstractArray(i);
+        const std::string name = field->GetName() ? field->GetName() : "";
+        if (auto* strings = vtkStringArray::SafeDownCast(field)) {
+            Words list{name, {}};
+            for (vtkIdType k = 0; k < strings->GetNumberOfValues(); ++k) list.values.push_back(strings->GetValue(k));
+            words.push_back(std::move(list));
+        } else if (auto* numbers = vtkDataArray::SafeDownCast(field)) {
+            if (name == "TimeValue" && numbers->GetNumberOfTuples() > 0)
+                time = numbers->GetComponent(0, 0);
+            else if (globals)
+                globals->push_back(copy_array(*numbers));
+        }
+    }
+}
+
+/// Runs a reader and throws unless all of the file was understood.
+void update(vtkXMLReader& reader, const std::filesystem::path& path, const std::vector<std::string>& wanted) {
+    if (!std::filesystem::is_regular_file(path)) throw std::runtime_error(path.string() + ": no such file");
+    VtkMessages messages;
+    reader.SetFileName(path.c_str());
+    reader.UpdateInformation();
+    if (!wanted.empty()) {
+        vtkDataArraySelection* selection = reader.GetPointDataArraySelection();
+        for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
+            selection->SetArraySetting(selection->GetArrayName(i),
+                                       std::count(wanted.begin(), wanted.end(), selection->GetArrayName(i)) > 0);
+    }
+    reader.Update();
+    const std::string cause = messages.first_error();
+    if (!cause.empty() || reader.GetErrorCode() != 0)
+        throw std::runtime_error(
+            fmt::format("{}: cannot read: {}", path.string(), cause.empty() ? "broken file" : cause));
+}
+
+template <class Reader>
+PointFrame read_point_set(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
+    vtkNew<Reader> reader;
+    update(*reader, path, wanted);
+    auto* data = reader->GetOutput();
+    PointFrame frame;
+    if (data->GetPoints()) frame.points = copy<double>(*data->GetPoints()->GetData());
+    read_fields(*data, frame.time, frame.arrays, &frame.globals, frame.words);
+    return frame;
+}
+
+} // namespace
+
+PointFrame read_points(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
+    if (path.extension() == ".vtp") return read_point_set<vtkXMLPolyDataReader>(path, wanted);
+    return read_point_set<vtkXMLUnstructuredGridReader>(path, wanted);
+}
+
+GridFrame read_grid(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
+    vtkNew<vtkXMLImageDataReader> reader;
+    update(*reader, path, wanted);
+    vtkImageData* data = reader->GetOutput();
+    GridFrame frame;
+    data->GetDimensions(frame.nodes.data());
+    data->GetOrigin(frame.origin.data());
+    data->GetSpacing(frame.spacing.data());
+    read_fields(*data, frame.time, frame.arrays, nullptr, frame.words);
+    return frame;
+}
+
+} // namespace abut

@@ -1,0 +1,96 @@
+#include "io/results/result_folder.h"
+
+#include "io/results/output_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fmt/format.h>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace abut {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> series{"particles", "grid", "contact"};
+constexpr std::array<std::string_view, 5> single_files{"history.csv", "bodies.csv", "timing.json", "scene.json",
+                                                       "checkpoint.h5"};
+
+/// particles_00012.vtu of "particles", or what a killed run left of writing it (.particles_00012.vtu.tmp)
+bool is_frame(std::string name, std::string_view series_name) {
+    if (name.starts_with('.') && name.ends_with(".tmp")) name = name.substr(1, name.size() - 5);
+    if (!name.starts_with(series_name) || name.size() <= series_name.size() || name[series_name.size()] != '_')
+        return false;
+    const std::string_view rest = std::string_view(name).substr(series_name.size() + 1);
+    const auto digits = static_cast<std::size_t>(
+        std::find_if_not(rest.begin(), rest.end(), [](unsigned char c) { return std::isdigit(c); }) - rest.begin());
+    const std::string_view extension = rest.substr(digits);
+    return digits > 0 && (extension == ".vtu" || extension == ".vti" || extension == ".vtp");
+}
+
+std::vector<fs::path> own_files(const fs::path& folder) {
+    std::vector<fs::path> found;
+    const auto add_with_leftover = [&](const std::string& name) {
+        for (const fs::path& path : {folder / name, folder / ("." + name + ".tmp")})
+            if (fs::is_regular_file(path)) found.push_back(path);
+    };
+    for (const std::string_view name : single_files) add_with_leftover(std::string(name));
+    for (const std::string_view name : series) {
+        add_with_leftover(std::string(name) + ".pvd");
+        if (!fs::is_directory(folder / name)) continue;
+        for (const auto& entry : fs::directory_iterator(folder / name))
+            if (entry.is_regular_file() && is_frame(entry.path().filename().string(), name))
+                found.push_back(entry.path());
+    }
+    return found;
+}
+
+bool is_result_folder(const fs::path& folder) {
+    if (fs::exists(folder / "history.csv") || fs::exists(folder / "scene.json")) return true;
+    return std::any_of(fs::directory_iterator(folder), {},
+                       [](const auto& entry) { return entry.path().extension() == ".pvd"; });
+}
+
+void remove_own_files(const fs::path& folder, const std::vector<fs::path>& inputs) {
+    const auto files = own_files(folder);
+    for (const fs::path& file : files)
+        for (const fs::path& input : inputs)
+            if (fs::exists(input) && fs::equivalent(file, input))
+                throw std::runtime_error(
+                    fmt::format("{}: this run reads {} and would replace it; choose another folder "
+                                "for the results",
+                                folder.string(), input.string()));
+    for (const fs::path& file : files) fs::remove(file);
+    for (const std::string_view name : series) {
+        const fs::path sub = folder / name;
+        if (fs::is_directory(sub) && fs::is_empty(sub)) fs::remove(sub);
+    }
+}
+
+} // namespace
+
+void prepare_result_folder(const fs::path& folder, bool overwrite, const std::vector<fs::path>& inputs) {
+    try {
+        if (fs::exists(folder) && !fs::is_directory(folder))
+            throw std::runtime_error(folder.string() + ": is a file; name a folder for the results");
+        fs::create_directories(folder);
+        if (!fs::is_empty(folder) && !overwrite)
+            throw std::runtime_error(
+                folder.string() +
+                (is_result_folder(folder)
+                     ? ": holds results already; use --overwrite to replace or --resume to continue them"
+                     : ": is not empty; name another folder, or use --overwrite to write beside its files"));
+        // A folder that cannot be written to is found out now, not after the first hour.
+        const fs::path probe = folder / ".abut-write-test";
+        OutputFile(probe, folder).close();
+        fs::remove(probe);
+        if (!fs::is_empty(folder)) remove_own_files(folder, inputs);
+    } catch (const fs::filesystem_error& error) {
+        throw std::runtime_error(fmt::format("{}: {}", error.path1().string(), error.code().message()));
+    }
+}
+
+} // namespace abut

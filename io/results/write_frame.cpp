@@ -1,0 +1,159 @@
+#include "io/results/write_frame.h"
+
+#include "io/results/output_file.h"
+#include "io/results/vtk_messages.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+#include <string_view>
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLImageDataWriter.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+namespace abut {
+namespace {
+
+// === Frames as VTK data; VTK borrows the frame's memory and never writes to it
+
+template <class VtkArray, class Value>
+vtkSmartPointer<VtkArray> borrow(const std::vector<Value>& values, int components) {
+    auto array = vtkSmartPointer<VtkArray>::New();
+    array->SetNumberOfComponents(components);
+    array->SetArray(const_cast<Value*>(values.data()), static_cast<vtkIdType>(values.size()), 1);
+    return array;
+}
+
+vtkSmartPointer<vtkDataArray> borrow(const Array& array) {
+    vtkSmartPointer<vtkDataArray> result;
+    if (const auto* reals = std::get_if<std::vector<double>>(&array.values))
+        result = borrow<vtkDoubleArray>(*reals, array.components);
+    else
+        result = borrow<vtkIntArray>(std::get<std::vector<std::int32_t>>(array.values), array.components);
+    result->SetName(array.name.c_str());
+    return result;
+}
+
+void add_point_arrays(vtkDataSet& data, const std::vector<Array>& arrays, std::size_t points) {
+    for (const Array& array : arrays) {
+        const std::size_t length = std::visit([](const auto& values) { return values.size(); }, array.values);
+        if (array.components < 1 || length != points * static_cast<std::size_t>(array.components))
+            throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} points of {} components",
+                                                    array.name, length, points, array.components));
+        data.GetPointData()->AddArray(borrow(array));
+    }
+}
+
+void add_time_and_words(vtkDataSet& data, double time, const std::vector<Words>& words) {
+    vtkNew<vtkDoubleArray> time_value; // the name that ParaView looks for
+    time_value->SetName("TimeValue");
+    time_value->InsertNextValue(time);
+    data.GetFieldData()->AddArray(time_value);
+    for (const Words& list : words) {
+        vtkNew<vtkStringArray> strings;
+        strings->SetName(list.name.c_str());
+        for (const std::string& word : list.values) strings->InsertNextValue(word);
+        data.GetFieldData()->AddArray(strings);
+    }
+}
+
+/// One cell of one point for each point.
+vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
+    vtkNew<vtkTypeInt32Array> offsets, points;
+    offsets->SetNumberOfValues(static_cast<vtkIdType>(count) + 1);
+    points->SetNumberOfValues(static_cast<vtkIdType>(count));
+    std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, 0);
+    std::iota(points->GetPointer(0), points->GetPointer(0) + count, 0);
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->SetData(offsets, points);
+    return cells;
+}
+
+void fill(vtkPointSet& data, const PointFrame& frame) {
+    if (frame.points.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetData(borrow<vtkDoubleArray>(frame.points, 3));
+    data.SetPoints(points);
+    add_point_arrays(data, frame.arrays, frame.points.size() / 3);
+    add_time_and_words(data, frame.time, frame.words);
+    for (const Array& array : frame.globals) data.GetFieldData()->AddArray(borrow(array));
+}
+
+// === Writing
+
+/// A file whose last buffer never reached the disk lacks its end; VTK does not notice that on closing.
+bool is_complete(const std::filesystem::path& path) {
+    constexpr std::string_view end = "</VTKFile>\n";
+    std::string tail(end.size(), ' ');
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+    return file.read(tail.data(), static_cast<std::streamsize>(tail.size())) && tail == end;
+}
+
+template <class Writer>
+void write(const std::filesystem::path& path, vtkDataSet& data) {
+    replace_file(path, [&](const std::filesystem::path& temporary) {
+        VtkMessages messages;
+        vtkNew<Writer> writer;
+        writer->SetInputData(&data);
+        writer->SetFileName(temporary.c_str());
+        writer->SetDataModeToAppended();
+        writer->EncodeAppendedDataOff();
+        writer->SetCompressorTypeToLZ4();
+        writer->SetHeaderTypeToUInt64();
+        errno = 0;
+        const bool accepted = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
+        const int cause = errno; // VTK calls every failure "out of disk space"; the system knows better
+        if (accepted && is_complete(temporary)) return;
+        const std::string vtk_cause = messages.first_error();
+        throw std::runtime_error(fmt::format("{}: cannot write: {}", path.string(),
+                                             cause != 0           ? std::strerror(cause)
+                                             : !vtk_cause.empty() ? vtk_cause
+                                                                  : "the file is incomplete"));
+    });
+}
+
+} // namespace
+
+void write_particles(const std::filesystem::path& path, const PointFrame& frame) {
+    vtkNew<vtkUnstructuredGrid> data;
+    fill(*data, frame);
+    data->SetCells(VTK_VERTEX, vertices(frame.points.size() / 3));
+    write<vtkXMLUnstructuredGridWriter>(path, *data);
+}
+
+void write_contact(const std::filesystem::path& path, const PointFrame& frame) {
+    vtkNew<vtkPolyData> data;
+    fill(*data, frame);
+    data->SetVerts(vertices(frame.points.size() / 3));
+    write<vtkXMLPolyDataWriter>(path, *data);
+}
+
+void write_grid(const std::filesystem::path& path, const GridFrame& frame) {
+    vtkNew<vtkImageData> data;
+    data->SetDimensions(frame.nodes.data());
+    data->SetOrigin(frame.origin.data());
+    data->SetSpacing(frame.spacing.data());
+    add_point_arrays(*data, frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()));
+    add_time_and_words(*data, frame.time, frame.words);
+    write<vtkXMLImageDataWriter>(path, *data);
+}
+
+} // namespace abut

@@ -1,0 +1,23 @@
+#pragma once
+/// \file write_frame.h
+/// Frames as VTK's XML files: appended raw binary, LZ4, 64-bit headers; reals as Float64, whole numbers as Int32, the
+/// time as `TimeValue` field data, lists of words as string field data. No array is made the active one.
+
+#include "results/frame.h"
+
+#include <filesystem>
+
+namespace abut {
+
+/// Writes particles as a .vtu file, one VTK_VERTEX each. The file appears complete or not at all.
+/// Throws std::runtime_error naming file and cause if it cannot be written, std::invalid_argument if an array's length
+/// does not fit the number of points.
+void write_particles(const std::filesystem::path& path, const PointFrame& frame);
+
+/// Writes contact pairs as a .vtp file, one vertex each; otherwise as write_particles.
+void write_contact(const std::filesystem::path& path, const PointFrame& frame);
+
+/// Writes the grid's nodes as a .vti file (image data with point arrays); otherwise as write_particles.
+void write_grid(const std::filesystem::path& path, const GridFrame& frame);
+
+} // namespace abut

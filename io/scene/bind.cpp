@@ -1,0 +1,232 @@
+#include "io/scene/bind.h"
+
+#include "io/scene/elastic_constants.h"
+#include "io/scene/words.h"
+#include "scene/suggest.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+namespace abut {
+
+namespace {
+
+// Each copies the value at a key, if there is one, to a member.
+
+template <class T>
+void copy(const Json& object, const char* key, T& member) {
+    if (const Json* value = find(object, key)) member = value->get<T>();
+}
+
+template <class T>
+void copy(const Json& object, const char* key, std::optional<T>& member) {
+    if (const Json* value = find(object, key)) member = value->get<T>();
+}
+
+/// A list of components, or one value for all of them; a third component stays 0 (plane analyses).
+template <std::size_t Size>
+void copy_components(const Json& object, const char* key, std::array<double, Size>& member) {
+    const Json* value = find(object, key);
+    if (!value) return;
+    for (std::size_t i = 0; i < std::size_t(dimension(Analysis::plane_strain)); ++i)
+        member[i] = (value->is_array() ? (*value)[i] : *value).template get<double>();
+}
+
+template <class Words, class T>
+void copy_word(const Json& object, const char* key, const Words& words, T& member) {
+    if (const Json* value = find(object, key))
+        member = value_of(words, value->get_ref<const std::string&>()).value_or(member);
+}
+
+/// The object or list at a key; an empty one if it is not there.
+const Json& part(const Json& object, const char* key) {
+    static const Json empty = Json::object();
+    const Json* value = find(object, key);
+    return value ? *value : empty;
+}
+
+template <class T, class Bind>
+void copy_list(const Json& object, const char* key, std::vector<T>& member, Bind bind) {
+    for (const Json& entry : part(object, key)) member.push_back(bind(entry));
+}
+
+MaterialSpec bind_material(const std::string& name, const Json& json, std::vector<Problem>& problems) {
+    MaterialSpec material;
+    material.name = name;
+    copy_word(json, "model", model_words, material.model);
+    copy(json, "density", material.density);
+    ElasticConstants constants;
+    copy(json, "bulk_modulus", constants.bulk_modulus);
+    copy(json, "shear_modulus", constants.shear_modulus);
+    copy(json, "youngs_modulus", constants.youngs_modulus);
+    copy(json, "poissons_ratio", constants.poissons_ratio);
+    copy(json, "lame_lambda", constants.lame_lambda);
+    try {
+        const Moduli moduli = bulk_and_shear(constants);
+        material.bulk_modulus = moduli.bulk;
+        material.shear_modulus = moduli.shear;
+    } catch (const std::invalid_argument& error) {
+        problems.push_back({"/materials/" + pointer_token(name), error.what()});
+    }
+    return material;
+}
+
+std::variant<Box, Disk, Ellipse> bind_shape(const Json& json) {
+    if (const Json* shape = find(json, "disk")) {
+        Disk disk;
+        copy_components(*shape, "center", disk.center);
+        copy(*shape, "radius", disk.radius);
+        return disk;
+    }
+    if (const Json* shape = find(json, "ellipse")) {
+        Ellipse ellipse;
+        copy_components(*shape, "center", ellipse.center);
+        copy_components(*shape, "semi_axes", ellipse.semi_axes);
+        copy(*shape, "angle", ellipse.angle);
+        return ellipse;
+    }
+    Box box;
+    copy_components(part(json, "box"), "lower", box.lower);
+    copy_components(part(json, "box"), "upper", box.upper);
+    return box;
+}
+
+BodySpec bind_body(const Json& json) {
+    BodySpec body;
+    copy(json, "name", body.name);
+    copy(json, "material", body.material);
+    body.shape = bind_shape(json);
+    copy_components(json, "velocity", body.velocity);
+    copy(json, "particles_per_cell", body.particles_per_cell);
+    return body;
+}
+
+std::array<int, 3> bind_colour(std::string_view text) {
+    std::array<int, 3> rgb{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const char* digits = text.data() + 1 + 2 * i;
+        std::from_chars(digits, digits + 2, rgb[i], 16);
+    }
+    return rgb;
+}
+
+LegendEntry bind_legend_entry(const Json& json) {
+    LegendEntry entry;
+    if (const Json* grey = find(json, "grey")) {
+        entry.grey = true;
+        entry.rgb.fill(grey->get<int>());
+    } else if (const Json* rgb = find(json, "rgb")) {
+        entry.rgb = bind_colour(rgb->get_ref<const std::string&>());
+    }
+    copy(json, "tolerance", entry.tolerance);
+    copy(json, "void", entry.is_void);
+    copy(json, "body", entry.body);
+    copy(json, "material", entry.material);
+    copy_components(json, "velocity", entry.velocity);
+    return entry;
+}
+
+ImageSpec bind_image(const Json& json) {
+    ImageSpec image;
+    if (const Json* file = find(json, "file")) image.file = file->get<std::string>();
+    copy_components(json, "pixel", image.pixel);
+    copy_components(json, "size", image.size);
+    copy_components(json, "lower", image.lower);
+    copy_word(json, "top_row", top_row_words, image.top_row_is_top);
+    copy(json, "particles_per_cell", image.particles_per_cell);
+    copy_list(json, "legend", image.legend, bind_legend_entry);
+    return image;
+}
+
+LawSpec bind_law(const Json& json) {
+    LawSpec law;
+    copy_word(json, "type", law_words, law.type);
+    copy(json, "coefficient", law.coefficient);
+    return law;
+}
+
+PairLawSpec bind_pair_law(const Json& json) {
+    PairLawSpec pair;
+    const Json& bodies = part(json, "bodies");
+    for (std::size_t i = 0; i < std::min(bodies.size(), pair.bodies.size()); ++i)
+        pair.bodies[i] = bodies[i].get<std::string>();
+    pair.law = bind_law(part(json, "law"));
+    return pair;
+}
+
+ContactSpec bind_contact(const Json& json) {
+    ContactSpec contact;
+    copy_word(json, "normal", normal_words, contact.normal);
+    copy_word(json, "separation", separation_words, contact.separation);
+    copy(json, "offset", contact.offset);
+    copy(json, "exponent", contact.exponent);
+    copy(json, "corrections", contact.corrections);
+    copy(json, "screening", contact.screening);
+    contact.law = bind_law(part(json, "law"));
+    copy_list(json, "laws", contact.laws, bind_pair_law);
+    return contact;
+}
+
+BoundarySpec bind_boundary(const Json& json) {
+    BoundarySpec boundary;
+    copy(json, "name", boundary.name);
+    const Json& wall = part(json, "wall");
+    copy_word(wall, "axis", axis_words, boundary.wall.axis);
+    copy_word(wall, "side", side_words, boundary.wall.side);
+    copy(wall, "position", boundary.wall.position);
+    copy(wall, "velocity", boundary.wall.velocity);
+    copy(wall, "depth", boundary.wall.depth);
+    copy(wall, "gradient", boundary.wall.gradient);
+    copy(wall, "grip", boundary.wall.grip);
+    return boundary;
+}
+
+MethodSpec bind_method(const Json& json) {
+    MethodSpec method;
+    copy_word(json, "shape", shape_words, method.shape);
+    copy_word(part(json, "transfer"), "scheme", scheme_words, method.transfer.scheme);
+    copy(part(json, "transfer"), "order", method.transfer.order);
+    copy_word(part(json, "transfer"), "position", position_words, method.transfer.position);
+    copy_word(json, "stress_update", stress_update_words, method.stress_update);
+    return method;
+}
+
+OutputSpec bind_output(const Json& json) {
+    OutputSpec output;
+    copy(json, "every", output.every);
+    copy(json, "history_every", output.history_every);
+    copy(json, "particles", output.particles);
+    copy(json, "grid", output.grid);
+    copy(json, "contact", output.contact);
+    return output;
+}
+
+} // namespace
+
+Scene bind_scene(const Json& checked, std::vector<Problem>& problems) {
+    Scene scene;
+    copy(checked, "title", scene.title);
+    copy_word(checked, "analysis", analysis_words, scene.analysis);
+    copy(checked, "thickness", scene.thickness);
+    const Json& grid = part(checked, "grid");
+    copy_components(grid, "cell", scene.grid.cell);
+    copy_components(grid, "lower", scene.grid.lower);
+    copy_components(grid, "upper", scene.grid.upper);
+    const Json& time = part(checked, "time");
+    copy(time, "end", scene.time.end);
+    copy(time, "cfl", scene.time.cfl);
+    copy(time, "step", scene.time.step);
+    scene.method = bind_method(part(checked, "method"));
+    for (const auto& [name, material] : part(checked, "materials").items())
+        scene.materials.push_back(bind_material(name, material, problems));
+    copy_list(checked, "bodies", scene.bodies, bind_body);
+    copy_list(checked, "images", scene.images, bind_image);
+    if (const Json* contact = find(checked, "contact")) scene.contact = bind_contact(*contact);
+    copy_list(checked, "boundaries", scene.boundaries, bind_boundary);
+    copy_components(checked, "gravity", scene.gravity);
+    scene.output = bind_output(part(checked, "output"));
+    return scene;
+}
+
+} // namespace abut

@@ -1,0 +1,34 @@
+#pragma once
+#include "io/scene/json.h"
+#include "io/scene/specification.h"
+#include "scene/problem.h"
+
+#include <optional>
+#include <vector>
+
+namespace abut {
+
+/// A scene after checking against the table of keys: quantities are numbers in SI units, defaults are filled in, keys
+/// are in the table's order. What is wrong is left out (entries of lists keep their place) and named in `problems`.
+struct CheckedScene {
+    Json scene;
+    std::vector<Problem> problems;
+};
+
+/// Checks keys, types, units, ranges and words, and fills in defaults.
+CheckedScene check_scene(const Json& scene);
+
+/// The checked value of a key that has no keys below it; nothing if it is unusable, with the problem added.
+std::optional<Json> check_value(const Json& json, const Key& key, const std::string& pointer,
+                                std::vector<Problem>& problems);
+
+/// A value in words for a message: `the text "abc"`, `a list`, `3`.
+std::string in_words(const Json& value);
+
+/// "at least 0 m", "between 0 and 1 (0 excluded)"; `unit` follows the numbers.
+std::string in_words(const Range& range, const std::string& unit);
+
+/// Whether a number lies in the range.
+bool contains(const Range& range, double value);
+
+} // namespace abut

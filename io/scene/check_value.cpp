@@ -1,0 +1,193 @@
+#include "io/scene/check.h"
+
+#include "scene/scene.h"
+#include "scene/suggest.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace abut {
+
+namespace {
+
+/// A value on its way through the checks, and where to complain about it.
+struct Value {
+    const Json& json;
+    const Key& key;
+    const std::string& pointer;
+    std::vector<Problem>& problems;
+
+    std::nullopt_t wrong(const std::string& message) const {
+        problems.push_back({pointer, message});
+        return std::nullopt;
+    }
+    std::nullopt_t wrong_type(const std::string& needed) const {
+        return wrong(fmt::format("{} is needed, not {}", needed, in_words(json)));
+    }
+};
+
+std::string hint(const Key& key) {
+    return key.hint.empty() ? "" : "; " + key.hint;
+}
+
+bool is_later_word(const Json& json, const Key& key) {
+    if (!json.is_string()) return false;
+    for (const std::string& word : key.later_words)
+        if (json == word) return true;
+    return false;
+}
+
+std::optional<Json> in_range(double number, const Value& value, const std::string& unit) {
+    if (contains(value.key.range, number)) return Json(number);
+    const std::string given = value.json.is_string() ? value.json.get<std::string>() : value.json.dump();
+    return value.wrong(fmt::format("must be {}, not {}{}", in_words(value.key.range, unit), given, hint(value.key)));
+}
+
+std::optional<Json> quantity(const Value& value) {
+    const Dimension& dimension = value.key.dimension;
+    if (is_later_word(value.json, value.key)) {
+        return value.wrong(fmt::format("{} is not available in this version of abut; {} ({}) is needed",
+                                       value.json.dump(), name_of(dimension), unit_of(dimension)));
+    }
+    if (value.json.is_number()) return in_range(value.json.get<double>(), value, unit_of(dimension));
+    if (!value.json.is_string())
+        return value.wrong_type(
+            fmt::format("{} (a number in {} or a text with a unit)", name_of(dimension), unit_of(dimension)));
+    try {
+        return in_range(parse_quantity(value.json.get<std::string>(), dimension), value, unit_of(dimension));
+    } catch (const UnitError& error) {
+        std::string message = error.what();
+        if (message.find(" needed") == std::string::npos)
+            message += fmt::format("; {} ({}) is needed", name_of(dimension), unit_of(dimension));
+        return value.wrong(message);
+    }
+}
+
+std::optional<Json> vector(const Value& value) {
+    const std::size_t components = dimension(Analysis::plane_strain);
+    if (!value.json.is_array()) {
+        return value.wrong_type(fmt::format("a list of {} components ({}, {} each)", components,
+                                            name_of(value.key.dimension), unit_of(value.key.dimension)));
+    }
+    if (value.json.size() != components) {
+        return value.wrong(
+            fmt::format("{} components are needed in a plane scene, not {}", components, value.json.size()));
+    }
+    Json list = Json::array();
+    for (std::size_t i = 0; i < components; ++i) {
+        const std::string pointer = fmt::format("{}/{}", value.pointer, i);
+        if (std::optional<Json> component = quantity({value.json[i], value.key, pointer, value.problems}))
+            list.push_back(*component);
+    }
+    if (list.size() != components) return {};
+    return list;
+}
+
+std::optional<Json> integer(const Value& value) {
+    const double number = value.json.is_number() ? value.json.get<double>() : 0.5;
+    if (number != std::floor(number)) return value.wrong_type("a whole number");
+    if (!in_range(number, value, "")) return {};
+    return Json(static_cast<int>(number));
+}
+
+std::optional<Json> word(const Value& value) {
+    const Key& key = value.key;
+    if (!value.json.is_string()) return value.wrong_type(quoted_list(key.words));
+    if (is_later_word(value.json, key)) {
+        return value.wrong(fmt::format("{} is not available in this version of abut; available: {}", value.json.dump(),
+                                       quoted_list(key.words, "and")));
+    }
+    const auto text = value.json.get<std::string>();
+    for (const std::string& allowed : key.words)
+        if (text == allowed) return value.json;
+    std::vector<std::string> known = key.words;
+    known.insert(known.end(), key.later_words.begin(), key.later_words.end());
+    return value.wrong(fmt::format("unknown word \"{}\"{}; allowed: {}{}", text, did_you_mean(text, known),
+                                   quoted_list(key.words, "and"), hint(key)));
+}
+
+std::optional<Json> text(const Value& value) {
+    if (!value.json.is_string()) return value.wrong_type("a text");
+    if (value.key.kind != Kind::text && value.json.get_ref<const std::string&>().empty())
+        return value.wrong("must not be empty");
+    return value.json;
+}
+
+std::optional<Json> colour(const Value& value) {
+    const std::string text = value.json.is_string() ? value.json.get<std::string>() : "";
+    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
+        return value.wrong_type("a colour as \"#rrggbb\" (hexadecimal)");
+    return value.json;
+}
+
+} // namespace
+
+std::optional<Json> check_value(const Json& json, const Key& key, const std::string& pointer,
+                                std::vector<Problem>& problems) {
+    const Value value{json, key, pointer, problems};
+    switch (key.kind) {
+    case Kind::quantity:
+        return quantity(value);
+    case Kind::vector:
+        return vector(value);
+    case Kind::per_axis:
+        return json.is_array() ? vector(value) : quantity(value);
+    case Kind::number:
+        if (!json.is_number()) return value.wrong_type("a number without unit");
+        return in_range(json.get<double>(), value, "");
+    case Kind::integer:
+        return integer(value);
+    case Kind::boolean:
+        if (!json.is_boolean()) return value.wrong_type("true or false");
+        return json;
+    case Kind::text:
+    case Kind::name:
+    case Kind::file:
+        return text(value);
+    case Kind::word:
+        return word(value);
+    case Kind::colour:
+        return colour(value);
+    case Kind::later:
+        return value.wrong("not available in this version of abut; leave this key out");
+    case Kind::object:
+    case Kind::list:
+    case Kind::map:
+        break; // they have keys below them
+    }
+    return {};
+}
+
+std::string in_words(const Json& value) {
+    if (value.is_string()) return "the text " + value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (value.is_array()) return "a list";
+    if (value.is_object()) return "an object";
+    return value.dump();
+}
+
+std::string in_words(const Range& range, const std::string& unit) {
+    const std::string suffix = unit.empty() || unit == "1" ? "" : " " + unit;
+    if (range.minimum && range.maximum) {
+        std::string excluded;
+        if (range.minimum_excluded && range.maximum_excluded) {
+            excluded = " (both excluded)";
+        } else if (range.minimum_excluded || range.maximum_excluded) {
+            excluded = fmt::format(" ({} excluded)", range.minimum_excluded ? *range.minimum : *range.maximum);
+        }
+        return fmt::format("between {} and {}{}{}", *range.minimum, *range.maximum, suffix, excluded);
+    }
+    if (range.minimum)
+        return fmt::format("{} {}{}", range.minimum_excluded ? "greater than" : "at least", *range.minimum, suffix);
+    if (range.maximum)
+        return fmt::format("{} {}{}", range.maximum_excluded ? "less than" : "at most", *range.maximum, suffix);
+    return "any number";
+}
+
+bool contains(const Range& range, double value) {
+    if (!std::isfinite(value)) return false;
+    if (range.minimum && (range.minimum_excluded ? value <= *range.minimum : value < *range.minimum)) return false;
+    return !(range.maximum && (range.maximum_excluded ? value >= *range.maximum : value > *range.maximum));
+}
+
+} // namespace abut

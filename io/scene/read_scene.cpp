@@ -1,0 +1,105 @@
+#include "io/scene/read_scene.h"
+
+#include "io/scene/bind.h"
+#include "io/scene/check.h"
+#include "io/scene/overrides.h"
+#include "io/scene/parse_json.h"
+#include "scene/problem.h"
+#include "scene/validate.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace abut {
+
+namespace {
+
+std::string read_text(const std::filesystem::path& file) {
+    const auto fail = [&](const std::string& reason) {
+        throw SceneError(file.string(), {{"", "cannot read the scene file: " + reason}});
+    };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) fail("it is a folder");
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) fail(std::strerror(errno));
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (stream.bad()) fail("reading failed");
+    return text;
+}
+
+/// Whether one of the pointers leads to, above or below the other.
+bool on_one_path(const std::string& a, const std::string& b) {
+    const auto leads_to = [](const std::string& from, const std::string& to) {
+        return to.starts_with(from) && (to.size() == from.size() || to[from.size()] == '/');
+    };
+    return leads_to(a, b) || leads_to(b, a);
+}
+
+/// Whether a name can fit nothing just because what it could fit was not readable.
+bool follows_from(const std::string& name, const std::string& unreadable) {
+    if (unreadable == "/materials") return name.ends_with("/material");
+    return (unreadable == "/bodies" || unreadable == "/images") && name.starts_with("/contact/laws/");
+}
+
+/// Adds problems that are not a consequence of one that is known already.
+void add_new(std::vector<Problem>& problems, const std::vector<Problem>& more) {
+    const std::vector<Problem> known = problems;
+    for (const Problem& problem : more) {
+        const auto explains = [&](const Problem& earlier) {
+            return on_one_path(earlier.pointer, problem.pointer) || follows_from(problem.pointer, earlier.pointer);
+        };
+        if (std::none_of(known.begin(), known.end(), explains)) problems.push_back(problem);
+    }
+}
+
+void make_image_paths_absolute(Json& scene, const std::filesystem::path& file) {
+    const auto images = scene.find("images");
+    if (images == scene.end()) return;
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    for (Json& image : *images) {
+        const auto path = image.find("file");
+        if (path != image.end()) *path = (folder / path->get<std::string>()).lexically_normal().string();
+    }
+}
+
+/// JSON text of the checked scene, led by the version of abut.
+std::string resolved_text(const Json& scene) {
+    Json resolved = Json::object();
+    resolved["abut_version"] = ABUT_VERSION;
+    for (const auto& [key, value] : scene.items())
+        if (key != "abut_version" && key != "$schema") resolved[key] = value;
+    return resolved.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+} // namespace
+
+LoadedScene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    ParsedJson parsed = parse_json(read_text(file));
+    std::vector<Problem> problems = std::move(parsed.problems);
+    if (!parsed.value) throw SceneError(file.string(), problems);
+    if (parsed.value->is_object())
+        for (const std::string& override : overrides) apply_override(*parsed.value, override, problems);
+
+    CheckedScene checked = check_scene(*parsed.value);
+    problems.insert(problems.end(), checked.problems.begin(), checked.problems.end());
+    make_image_paths_absolute(checked.scene, file);
+
+    // After a problem of structure, numbers may be missing, but names can still be checked.
+    const bool complete = problems.empty();
+    std::vector<Problem> elastic;
+    Scene scene = bind_scene(checked.scene, elastic);
+    if (complete) problems = elastic;
+    add_new(problems, complete ? validate(scene) : validate_names(scene));
+    if (!problems.empty()) throw SceneError(file.string(), problems);
+    return {std::move(scene), resolved_text(checked.scene)};
+}
+
+} // namespace abut

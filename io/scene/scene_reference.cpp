@@ -1,0 +1,148 @@
+#include "io/scene/check.h"
+#include "io/scene/read_scene.h"
+#include "io/scene/specification.h"
+
+#include <fmt/format.h>
+
+namespace abut {
+
+namespace {
+
+std::string code_list(const std::vector<std::string>& words, const std::string& link = ", ") {
+    std::string text;
+    for (const std::string& word : words) {
+        if (!text.empty()) text += link;
+        text += '`';
+        text += word;
+        text += '`';
+    }
+    return text;
+}
+
+/// The kind of a key's value, with its unit and range, in words.
+std::string type_of(const Key& key) {
+    const std::string unit = unit_of(key.dimension);
+    const bool limited = key.range.minimum || key.range.maximum;
+    const std::string range = limited ? ", " + in_words(key.range, "") : "";
+    const std::string entries = limited && key.range.minimum == key.range.maximum
+                                    ? fmt::format(" of {}", *key.range.minimum)
+                                : limited ? fmt::format(", {} entries", in_words(key.range, ""))
+                                          : "";
+    switch (key.kind) {
+    case Kind::object:
+        return "object";
+    case Kind::list:
+        return "list" + entries;
+    case Kind::map:
+        return "object, any names";
+    case Kind::quantity:
+        return unit + range;
+    case Kind::vector:
+        return fmt::format("[{0}, {0}]{1}", unit, range);
+    case Kind::per_axis:
+        return fmt::format("{0} or [{0}, {0}]{1}", unit, range);
+    case Kind::number:
+        return "number" + range;
+    case Kind::integer:
+        return "whole number" + range;
+    case Kind::boolean:
+        return "`true` or `false`";
+    case Kind::text:
+        return "text";
+    case Kind::name:
+        return "name";
+    case Kind::file:
+        return "path";
+    case Kind::word:
+        return code_list(key.words, " \\| ");
+    case Kind::colour:
+        return "`\"#rrggbb\"`";
+    case Kind::later:
+        break;
+    }
+    return "";
+}
+
+std::string default_of(const Key& key) {
+    if (key.required) return "**required**";
+    return key.otherwise ? "`" + *key.otherwise + "`" : "";
+}
+
+std::string meaning_of(const Key& key) {
+    if (!key.only_with) return key.meaning;
+    return fmt::format("{} Only with `\"{}\": {}`.", key.meaning, key.only_with->key, key.only_with->value);
+}
+
+std::string sentence_of(const Group& group) {
+    const std::string_view count = group.count == Count::exactly_one   ? "Exactly one"
+                                   : group.count == Count::exactly_two ? "Exactly two"
+                                                                       : "At most one";
+    return fmt::format("{} of {}.\n\n", count, code_list(group.keys));
+}
+
+/// "/bodies/#/disk" as "bodies / # / disk" with readable place-holders.
+std::string heading_of(const std::string& path) {
+    if (path.empty()) return "The scene";
+    std::string heading = "`";
+    for (const char letter : path) {
+        if (letter == '*') {
+            heading += "NAME";
+        } else if (letter == '#') {
+            heading += "[ ]";
+        } else {
+            heading += letter;
+        }
+    }
+    return heading + "`";
+}
+
+void add_section(std::string& page, const SpecificationNode& node) {
+    const Key& key = *node.key;
+    if (key.kind == Kind::object) {
+        page += fmt::format("## {}\n\n{}\n\n", heading_of(key.path), key.meaning);
+        for (const Group* group : node.groups) page += sentence_of(*group);
+        page += "| key | type | default | meaning |\n| --- | --- | --- | --- |\n";
+        for (const SpecificationNode& child : node.children) {
+            if (child.key->kind == Kind::later) continue;
+            page += fmt::format("| `{}` | {} | {} | {} |\n", child.name, type_of(*child.key), default_of(*child.key),
+                                meaning_of(*child.key));
+        }
+        page += '\n';
+    }
+    for (const SpecificationNode& child : node.children) add_section(page, child);
+}
+
+void add_later(std::string& page) {
+    page += "## Not in this version\n\nThese names are kept for later versions; a scene that uses them is refused.\n\n";
+    for (const Key& key : scene_keys()) {
+        if (key.kind == Kind::later) page += fmt::format("* {}\n", heading_of(key.path));
+        if (!key.later_words.empty())
+            page += fmt::format("* {}: {}\n", heading_of(key.path), code_list(key.later_words));
+    }
+}
+
+constexpr const char* introduction =
+    R"(# Scene file reference
+
+A scene is a JSON file; `//` and `/* */` comments are allowed. Unknown keys are errors.
+
+A physical value is a number in SI units, or a text with a unit: `"78.09 GPa"`, `"2.78 g/cm^3"`, `"14.3 um"`,
+`"-9.81 m/s^2"`, `"30 deg"`. Units are `m g s Pa N J W K Hz rad` with the prefixes `p n u µ m c k M G T`, and
+`min h deg`; they combine by `*`, `/` (from left to right) and `^`. The unit must fit the key. The tables give the
+SI unit of each key as its type.
+
+A vector is a list of one value per axis: two in plane scenes. In the headings `[ ]` stands for an entry of a list
+and `NAME` for a name of your own.
+
+)";
+
+} // namespace
+
+std::string scene_reference() {
+    std::string page = introduction;
+    add_section(page, scene_specification());
+    add_later(page);
+    return page;
+}
+
+} // namespace abut

@@ -1,0 +1,157 @@
+#include "io/scene/specification_sections.h"
+
+#include "io/scene/words.h"
+
+#include <iterator>
+
+namespace abut {
+
+namespace {
+
+/// The keys of a contact law that stands at `path`.
+std::vector<Key> law_keys(const std::string& path) {
+    return {
+        {.path = path + "/type",
+         .kind = Kind::word,
+         .words = texts(law_words),
+         .later_words = {"linear-interface", "bilinear-interface"},
+         .required = true,
+         .meaning = "`frictionless` sliding, Coulomb `friction`, `stick` without sliding while pressed together, or "
+                    "`perfect` bonding."},
+        {.path = path + "/coefficient",
+         .kind = Kind::number,
+         .required = true,
+         .range = at_least(0),
+         .only_with = OnlyWith{"type", quoted("friction")},
+         .meaning = "Coulomb's coefficient of friction."},
+    };
+}
+
+} // namespace
+
+std::vector<Key> contact_keys() {
+    std::vector<Key> keys{
+        {.path = "/contact",
+         .kind = Kind::object,
+         .meaning = "Contact between bodies; without it all bodies move in one velocity field, as if glued."},
+        {.path = "/contact/normal",
+         .kind = Kind::word,
+         .words = texts(normal_words),
+         .later_words = {"linear-regression", "maximum-gradient", "maximum-volume", "own-gradient", "specified"},
+         .otherwise = quoted("logistic-regression"),
+         .meaning = "How the contact normal is found."},
+        {.path = "/contact/direction", .kind = Kind::later, .meaning = "Direction of a specified normal."},
+        {.path = "/contact/separation",
+         .kind = Kind::word,
+         .words = texts(separation_words),
+         .later_words = {"displacement"},
+         .otherwise = quoted("particle-edges"),
+         .meaning = "How the distance of two bodies is found; `none` looks at the approach velocity alone."},
+        {.path = "/contact/offset",
+         .kind = Kind::number,
+         .otherwise = "0.8",
+         .range = at_least(0),
+         .only_with = OnlyWith{"separation", quoted("critical-position")},
+         .meaning = "Distance of the particle positions, in cells, below which bodies are in contact."},
+        {.path = "/contact/exponent",
+         .kind = Kind::number,
+         .otherwise = "0.58",
+         .range = above(0),
+         .only_with = OnlyWith{"separation", quoted("fitted-position")},
+         .meaning = "Exponent of the fit from particle positions to edges."},
+        {.path = "/contact/screening",
+         .kind = Kind::number,
+         .otherwise = "0",
+         .range = from_to(0, 0.1),
+         .meaning = "Bodies with a smaller share of a node's mass take no part in contact there. Published codes use "
+                    "1e-5; 0 is better: a body under pressure tears at nodes where it has little mass and no contact."},
+        {.path = "/contact/corrections",
+         .kind = Kind::integer,
+         .otherwise = "2",
+         .range = from_to(1, 2),
+         .meaning = "Contact corrections in a time step; 1 only to show why 2 are needed."},
+        {.path = "/contact/three_or_more",
+         .kind = Kind::word,
+         .words = {"lumped"},
+         .later_words = {"explicit"},
+         .otherwise = quoted("lumped"),
+         .meaning = "What happens at nodes that see three or more bodies: `lumped` takes each against all the others."},
+        {.path = "/contact/law",
+         .kind = Kind::object,
+         .otherwise = R"({"type": "frictionless"})",
+         .meaning = "Law of every pair that is not named in `laws`."},
+    };
+    const auto append = [&keys](std::vector<Key> more) {
+        keys.insert(keys.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    };
+    append(law_keys("/contact/law"));
+    append({
+        {.path = "/contact/laws", .kind = Kind::list, .otherwise = "[]", .meaning = "Laws of single pairs of bodies."},
+        {.path = "/contact/laws/#", .kind = Kind::object, .meaning = "The law of one pair."},
+        {.path = "/contact/laws/#/bodies",
+         .kind = Kind::list,
+         .required = true,
+         .range = from_to(2, 2),
+         .meaning = "Names of the two bodies."},
+        {.path = "/contact/laws/#/bodies/#", .kind = Kind::name, .meaning = "Name of a body."},
+        {.path = "/contact/laws/#/law", .kind = Kind::object, .required = true, .meaning = "Their law."},
+    });
+    append(law_keys("/contact/laws/#/law"));
+    return keys;
+}
+
+std::vector<Key> boundary_keys() {
+    return {
+        {.path = "/boundaries",
+         .kind = Kind::list,
+         .otherwise = "[]",
+         .meaning = "Boundary conditions; without any the grid's box has free space at its faces."},
+        {.path = "/boundaries/#", .kind = Kind::object, .meaning = "A boundary condition."},
+        {.path = "/boundaries/#/name",
+         .kind = Kind::name,
+         .required = true,
+         .meaning = "Name, unique; history.csv gives its force as `force_NAME_x` and so on."},
+        {.path = "/boundaries/#/wall",
+         .kind = Kind::object,
+         .required = true,
+         .meaning = "A wall across one axis that sets the normal velocity and slips along itself."},
+        {.path = "/boundaries/#/wall/axis",
+         .kind = Kind::word,
+         .words = texts(axis_words),
+         .required = true,
+         .hint = "plane scenes have the axes x and y",
+         .meaning = "Axis the wall is perpendicular to."},
+        {.path = "/boundaries/#/wall/side",
+         .kind = Kind::word,
+         .words = texts(side_words),
+         .required = true,
+         .meaning = "Which side of the material the wall is on; `lower`: material lies above the wall."},
+        {.path = "/boundaries/#/wall/position",
+         .kind = Kind::quantity,
+         .dimension = dimensions::length,
+         .required = true,
+         .meaning = "Position along the axis at time 0."},
+        {.path = "/boundaries/#/wall/velocity",
+         .kind = Kind::quantity,
+         .dimension = dimensions::velocity,
+         .otherwise = "0",
+         .meaning = "Velocity of the wall along the axis."},
+        {.path = "/boundaries/#/wall/depth",
+         .kind = Kind::number,
+         .otherwise = "1",
+         .range = at_least(0),
+         .meaning = "How far inside the wall nodes still move with it, in cells."},
+        {.path = "/boundaries/#/wall/gradient",
+         .kind = Kind::quantity,
+         .dimension = dimensions::rate,
+         .later_words = {"estimated"},
+         .otherwise = "0",
+         .meaning = "Gradient of the normal velocity along the axis at the wall."},
+        {.path = "/boundaries/#/wall/grip",
+         .kind = Kind::boolean,
+         .otherwise = "true",
+         .meaning = "Whether the wall holds material that would move away from it."},
+    };
+}
+
+} // namespace abut

@@ -1,0 +1,73 @@
+#pragma once
+/// \file words.h
+/// The words of a scene file and the values of scene.h they stand for; the table of keys, the reader and the writers
+/// of messages share them.
+
+#include "scene/scene.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace abut {
+
+template <class Value>
+struct Word {
+    std::string_view text;
+    Value value;
+};
+template <class Value>
+Word(const char*, Value) -> Word<Value>;
+
+inline constexpr std::array analysis_words{Word{"plane-strain", Analysis::plane_strain}};
+inline constexpr std::array shape_words{Word{"linear", ShapeKind::linear}, Word{"ugimp", ShapeKind::ugimp},
+                                        Word{"cpdi", ShapeKind::cpdi}};
+inline constexpr std::array scheme_words{Word{"flip", TransferScheme::flip}, Word{"pic", TransferScheme::pic},
+                                         Word{"xpic", TransferScheme::xpic}};
+inline constexpr std::array position_words{Word{"end-velocity", PositionUpdate::end_velocity},
+                                           Word{"start-velocity", PositionUpdate::start_velocity}};
+inline constexpr std::array stress_update_words{Word{"usf", StressUpdate::usf}, Word{"usl", StressUpdate::usl}};
+inline constexpr std::array model_words{Word{"neo-hookean", MaterialModel::neo_hookean},
+                                        Word{"neo-hookean-isochoric", MaterialModel::neo_hookean_isochoric}};
+inline constexpr std::array normal_words{Word{"logistic-regression", NormalMethod::logistic_regression},
+                                         Word{"average-gradient", NormalMethod::average_gradient}};
+inline constexpr std::array separation_words{Word{"particle-edges", SeparationMethod::particle_edges},
+                                             Word{"critical-position", SeparationMethod::critical_position},
+                                             Word{"fitted-position", SeparationMethod::fitted_position},
+                                             Word{"none", SeparationMethod::none}};
+inline constexpr std::array law_words{Word{"frictionless", LawType::frictionless}, Word{"friction", LawType::friction},
+                                      Word{"stick", LawType::stick}, Word{"perfect", LawType::perfect}};
+inline constexpr std::array axis_words{Word{"x", 0}, Word{"y", 1}};
+inline constexpr std::array side_words{Word{"lower", Side::lower}, Word{"upper", Side::upper}};
+/// Whether the first row of an image is its top.
+inline constexpr std::array top_row_words{Word{"top", true}, Word{"bottom", false}};
+
+/// The texts of a list of words.
+template <class Words>
+std::vector<std::string> texts(const Words& words) {
+    std::vector<std::string> list;
+    list.reserve(words.size());
+    for (const auto& word : words) list.emplace_back(word.text);
+    return list;
+}
+
+/// The value of the word `text`; nothing for a text that is none of the words.
+template <class Words>
+auto value_of(const Words& words, std::string_view text) {
+    std::optional<decltype(words.front().value)> value;
+    for (const auto& word : words)
+        if (word.text == text) value.emplace(word.value);
+    return value;
+}
+
+/// The word of a value, e.g. "usl"; empty for a value without a word.
+template <class Words, class Value>
+std::string_view text_of(const Words& words, const Value& value) {
+    for (const auto& word : words)
+        if (word.value == value) return word.text;
+    return {};
+}
+
+} // namespace abut

@@ -1,0 +1,46 @@
+#pragma once
+/// \file commands.h
+/// The subcommands of the program. Each returns the exit code, and throws for what it cannot do: SceneError and
+/// UsageError mean exit code 2, everything else 1.
+
+#include "geometry/draw_ellipses.h"
+#include "io/render/render_series.h"
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace abut {
+
+/// The command line is wrong in a way that CLI11 can't see.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+struct SceneOptions {
+    std::filesystem::path scene;
+    std::vector<std::string> set; ///< "PTR=VALUE"
+};
+
+struct RunOptions {
+    SceneOptions scene;
+    std::filesystem::path output;     ///< empty: NAME-results, NAME that of the scene file
+    int threads = 0;                  ///< 0: all cores
+    std::optional<std::string> until; ///< a time, as in a scene file
+    bool overwrite = false;
+    bool quiet = false;
+};
+
+int run_command(const RunOptions& options);
+int check_command(const SceneOptions& options);
+int particles_command(const SceneOptions& options, std::filesystem::path output);
+int render_command(const std::filesystem::path& results, const RenderOptions& options);
+int draw_ellipses_command(const std::filesystem::path& output, const EllipseDrawing& drawing,
+                          const std::string& material);
+int schema_command();
+int reference_command();
+
+} // namespace abut

@@ -1,0 +1,120 @@
+// The command line (contract §1). CLI11 is slow to compile: it stays in this file.
+#include "app/commands.h"
+#include "scene/problem.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <functional>
+
+namespace {
+
+void add_scene(CLI::App& command, abut::SceneOptions& options) {
+    command.add_option("SCENE", options.scene, "scene file (JSON)")->required();
+    command.add_option("--set", options.set, "PTR=VALUE: sets a value of the scene by JSON pointer; may be repeated")
+        ->type_name("PTR=VALUE")
+        ->allow_extra_args(false);
+}
+
+int run_program(int argc, char** argv) {
+    using namespace abut;
+    CLI::App program("abut: material point contact mechanics that opens in ParaView");
+    program.set_version_flag("--version", "abut " ABUT_VERSION);
+    program.require_subcommand(1);
+    std::function<int()> action;
+
+    RunOptions run_options;
+    CLI::App* run = program.add_subcommand("run", "Runs a scene");
+    add_scene(*run, run_options.scene);
+    run->add_option("-o,--output", run_options.output, "result folder; default NAME-results");
+    run->add_option("--threads", run_options.threads, "threads; default all cores")->check(CLI::PositiveNumber);
+    run->add_option("--until", run_options.until, "stop at this time, e.g. \"3 us\"");
+    run->add_flag("--overwrite", run_options.overwrite, "replace the results of an earlier run");
+    run->add_flag("--quiet", run_options.quiet, "no progress");
+    run->callback([&] { action = [&] { return run_command(run_options); }; });
+
+    SceneOptions check_options;
+    CLI::App* check = program.add_subcommand("check", "Checks a scene and prints what would run; runs nothing");
+    add_scene(*check, check_options);
+    check->callback([&] { action = [&] { return check_command(check_options); }; });
+
+    SceneOptions particles_options;
+    std::filesystem::path particles_output;
+    CLI::App* particles = program.add_subcommand("particles", "Builds the model only, for a look before a run");
+    add_scene(*particles, particles_options);
+    particles->add_option("-o,--output", particles_output, "file; default NAME-particles.vtu");
+    particles->callback([&] { action = [&] { return particles_command(particles_options, particles_output); }; });
+
+    std::filesystem::path results;
+    RenderOptions render_options;
+    std::vector<double> range;
+    std::vector<int> frames;
+    CLI::App* render = program.add_subcommand("render", "Draws a result series as PNG pictures, without a display");
+    render->add_option("DIR", results, "result folder")->required();
+    std::string presets;
+    for (const std::string& name : render_presets()) presets += (presets.empty() ? "" : ", ") + name;
+    render->add_option("--preset", render_options.preset, "one of " + presets);
+    render->add_option("--array", render_options.array, "particle array that colours the particles");
+    render->add_option("--component", render_options.component, "of the array; default its magnitude");
+    render->add_flag("--normals", render_options.normals, "arrows at the contact pairs in contact");
+    render->add_option("--width", render_options.width, "pixels")->check(CLI::Range(100, 10000));
+    render->add_option("--range", range, "LOW HIGH of the colours, SI units")->expected(2);
+    render->add_option("--frames", frames, "numbers of the frames to draw; default all");
+    render->add_flag("--last", render_options.last_only, "only the last frame");
+    render->add_option("-o,--output", render_options.output, "folder of the pictures; default DIR/frames/<preset>");
+    render->callback([&] {
+        if (!range.empty()) render_options.range = {range[0], range[1]};
+        if (!frames.empty()) render_options.frames = frames;
+        action = [&] { return render_command(results, render_options); };
+    });
+
+    EllipseDrawing drawing;
+    std::filesystem::path picture;
+    std::string material = "aluminium";
+    CLI::App* draw = program.add_subcommand("draw-ellipses", "Draws a random dense packing of ellipses as a bitmap");
+    draw->add_option("FILE", picture, "image file (.png, .bmp, .tif, .jpg by its name)")->required();
+    draw->add_option("--width", drawing.width, "pixels");
+    draw->add_option("--height", drawing.height, "pixels");
+    draw->add_option("--bodies", drawing.bodies, "number of ellipses");
+    draw->add_option("--shades", drawing.shades, "number of greys");
+    draw->add_option("--min-aspect", drawing.min_aspect, "longer over shorter axis, smallest");
+    draw->add_option("--max-aspect", drawing.max_aspect, "longer over shorter axis, largest");
+    draw->add_option("--min-size", drawing.min_size, "smallest size relative to the mean");
+    draw->add_option("--max-size", drawing.max_size, "largest size relative to the mean");
+    draw->add_option("--area-fraction", drawing.area_fraction, "of the picture that ellipses cover");
+    draw->add_option("--gap", drawing.gap, "least distance between ellipses [pixels]");
+    draw->add_option("--seed", drawing.seed, "of the random numbers");
+    draw->add_option("--material", material, "name in the printed legend");
+    draw->callback([&] { action = [&] { return draw_ellipses_command(picture, drawing, material); }; });
+
+    program.add_subcommand("schema", "Prints the JSON Schema of scene files")->callback([&] {
+        action = schema_command;
+    });
+    program.add_subcommand("reference", "Prints the reference of scene files as Markdown")->callback([&] {
+        action = reference_command;
+    });
+
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : 2;
+    }
+    return action();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run_program(argc, argv);
+    } catch (const abut::SceneError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    } catch (const abut::UsageError& error) {
+        std::fprintf(stderr, "abut: %s\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "abut: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,39 @@
+#include "app/commands.h"
+#include "geometry/image.h"
+#include "io/scene/read_scene.h"
+
+#include <fmt/format.h>
+
+namespace abut {
+
+int render_command(const std::filesystem::path& results, const RenderOptions& options) {
+    const auto files = render_series(results, options);
+    fmt::print("{} pictures; the last: {}\n", files.size(), files.back().string());
+    return 0;
+}
+
+int draw_ellipses_command(const std::filesystem::path& output, const EllipseDrawing& drawing,
+                          const std::string& material) {
+    DrawnImage drawn;
+    try {
+        drawn = draw_ellipses(drawing);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+    write_image(drawn.image, output);
+    fmt::print("{}: {} ellipses cover {:.4f} of the area; a legend for a scene:\n{}\n", output.string(),
+               drawn.ellipses.size(), drawn.area_fraction, legend_json(drawn, material));
+    return 0;
+}
+
+int schema_command() {
+    fmt::print("{}\n", scene_schema());
+    return 0;
+}
+
+int reference_command() {
+    fmt::print("{}\n", scene_reference());
+    return 0;
+}
+
+} // namespace abut

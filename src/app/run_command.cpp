@@ -1,0 +1,138 @@
+#include "app/commands.h"
+#include "app/run_files.h"
+#include "geometry/build_model.h"
+#include "io/results/progress.h"
+#include "io/results/result_folder.h"
+#include "io/results/si_prefix.h"
+#include "io/scene/read_scene.h"
+#include "io/scene/units.h"
+#include "step/run_error.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <csignal>
+#include <ctime>
+
+namespace abut {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void on_signal(int) {
+    interrupted = 1;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Times at which something is due. Steps are not shortened to meet them: what is written doesn't change the results.
+class Schedule {
+public:
+    explicit Schedule(double every) : every_(every) {}
+    /// True once for each due time that `time` has reached; several at once count as one.
+    bool due(double time) {
+        if (every_ <= 0 || time < next_) return false;
+        next_ = (std::floor(time / every_ * (1 + 1e-12)) + 1) * every_;
+        return true;
+    }
+
+private:
+    double every_;
+    double next_ = 0;
+};
+
+double history_interval(const Scene& scene) {
+    if (scene.output.history_every) return *scene.output.history_every;
+    return (scene.output.every > 0 ? scene.output.every : scene.time.end) / 100;
+}
+
+double end_time(const RunOptions& options, const Scene& scene) {
+    if (!options.until) return scene.time.end;
+    double until = 0;
+    try {
+        until = parse_quantity(*options.until, dimensions::time);
+    } catch (const std::exception& error) {
+        throw UsageError(fmt::format("--until: {}", error.what()));
+    }
+    if (!(until > 0)) throw UsageError(fmt::format("--until: {} is not a time after the start", *options.until));
+    return std::min(until, scene.time.end);
+}
+
+} // namespace
+
+int run_command(const RunOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t cpu_start = std::clock();
+    const LoadedScene loaded = load_scene(options.scene.scene, options.scene.set);
+    const double end = end_time(options, loaded.scene);
+    const Model model = build_model(loaded.scene, options.scene.scene.string());
+    if (options.threads > 0) omp_set_num_threads(options.threads);
+
+    std::filesystem::path folder = options.output;
+    if (folder.empty()) folder = options.scene.scene.stem().string() + "-results";
+    std::vector<std::filesystem::path> inputs = {options.scene.scene};
+    for (const ImageSpec& image : loaded.scene.images) inputs.push_back(image.file);
+    State<2> state = make_state<2>(loaded.scene, model);
+    next_step(state, end); // a fixed step above the stable one shows before anything is written
+    prepare_result_folder(folder, options.overwrite, inputs);
+
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+    std::vector<Task<2>> tasks = step_tasks<2>(loaded.scene);
+    RunFiles files(folder, loaded.resolved, state);
+    Progress progress(options.quiet ? ProgressMode::quiet : ProgressMode::automatic, end);
+    RunTiming timing;
+    timing.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+
+    Schedule frames(loaded.scene.output.every);
+    Schedule history(history_interval(loaded.scene));
+    frames.due(0);
+    history.due(0);
+    const auto write_frames = [&] {
+        const double overlap = files.write_frames(state);
+        progress.note(state.effects.contact ? fmt::format("interpenetration {:.2e} of the area", overlap) : "");
+    };
+    const auto finish = [&] {
+        timing.wall_seconds = seconds_since(start);
+        timing.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+        write_timing(folder / "timing.json", state, tasks, timing);
+    };
+
+    write_frames();
+    files.write_history(state);
+    bool frame_written = true;
+    bool history_written = true;
+    try {
+        while (state.time < end && !interrupted) {
+            const auto step_start = std::chrono::steady_clock::now();
+            state.dt = next_step(state, end);
+            if (state.time + state.dt == state.time) break;
+            advance(state, tasks);
+            timing.solver_seconds += seconds_since(step_start);
+            progress.update(state.step, state.time);
+            history_written = history.due(state.time);
+            if (history_written) files.write_history(state);
+            frame_written = frames.due(state.time);
+            if (frame_written) write_frames();
+        }
+    } catch (const RunError&) {
+        files.write_failed(state);
+        finish();
+        throw;
+    }
+    if (!history_written) files.write_history(state);
+    if (!frame_written) write_frames();
+    progress.finish();
+    finish();
+    if (interrupted) {
+        fmt::print(stderr, "interrupted at {}; the state is written in {}\n", format_time(state.time), folder.string());
+        return 130;
+    }
+    return 0;
+}
+
+} // namespace abut

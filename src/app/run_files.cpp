@@ -1,0 +1,105 @@
+#include "app/run_files.h"
+
+#include "io/results/write_frame.h"
+#include "io/results/write_text.h"
+#include "results/frames.h"
+#include "results/history.h"
+#include "results/interpenetration.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace abut {
+
+namespace {
+
+std::vector<std::string> with_key_columns(std::vector<std::string> columns) {
+    columns.insert(columns.begin(), {"step", "time", "body"});
+    return columns;
+}
+
+/// Writes one file of a series and enters it.
+template <class Frame>
+void write_to_series(PvdSeries& series, const char* name, const char* extension, int number, const Frame& frame,
+                     void (*write)(const std::filesystem::path&, const Frame&)) {
+    const std::string file = fmt::format("{0}/{0}_{1:05}.{2}", name, number, extension);
+    const std::filesystem::path path = series.path.parent_path() / file;
+    std::filesystem::create_directories(path.parent_path());
+    write(path, frame);
+    series.append(frame.time, file);
+}
+
+} // namespace
+
+RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<2>& state)
+    : folder_(folder), history_(folder / "history.csv", history_columns(state)),
+      bodies_(folder / "bodies.csv", with_key_columns(body_columns())),
+      particles_{folder / "particles.pvd", {}}, grid_{folder / "grid.pvd", {}}, contact_{folder / "contact.pvd", {}} {
+    write_text_atomically(folder / "scene.json", resolved_scene);
+}
+
+void RunFiles::write_history(State<2>& state) {
+    const std::vector<Totals> by_body = body_totals(state);
+    Totals all;
+    for (const Totals& totals : by_body) all += totals;
+    history_.row(history_row(state, all, state.time - last_history_));
+    last_history_ = state.time;
+    for (std::size_t b = 0; b < by_body.size(); ++b) {
+        std::vector<CsvTable::Value> row = {std::int64_t{state.step}, state.time,
+                                            std::string_view(state.bodies[b].name)};
+        for (const double value : body_row(by_body[b])) row.emplace_back(value);
+        bodies_.row(row);
+    }
+    history_.flush();
+    bodies_.flush();
+}
+
+double RunFiles::write_frames(State<2>& state) {
+    look(state);
+    const OutputSpec& output = state.scene.output;
+    double fraction = 0;
+    if (output.particles) {
+        PointFrame frame = particle_frame(state);
+        if (state.effects.contact) {
+            fraction = interpenetration(state.particles).fraction();
+            frame.globals.push_back({"interpenetration", 1, std::vector<double>{fraction}});
+        }
+        write_to_series(particles_, "particles", "vtu", frame_, frame, write_particles);
+    }
+    if (output.grid) write_to_series(grid_, "grid", "vti", frame_, grid_frame(state), write_grid);
+    if (output.contact && state.effects.contact)
+        write_to_series(contact_, "contact", "vtp", frame_, contact_frame(state), write_contact);
+    ++frame_;
+    return fraction;
+}
+
+void RunFiles::write_failed(const State<2>& state) {
+    std::filesystem::create_directories(folder_ / "particles");
+    write_particles(folder_ / "particles/failed.vtu", particle_frame(state));
+}
+
+void write_timing(const std::filesystem::path& file, const State<2>& state, const std::vector<Task<2>>& tasks,
+                  const RunTiming& timing) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const double particle_steps = static_cast<double>(state.particles.size()) * static_cast<double>(state.step);
+    nlohmann::ordered_json json = {
+        {"wall_seconds", timing.wall_seconds},
+        {"cpu_seconds", timing.cpu_seconds},
+        {"solver_seconds", timing.solver_seconds},
+        {"tasks", nlohmann::ordered_json::object()},
+        {"steps", state.step},
+        {"particles", state.particles.size()},
+        {"nodes", state.fields.size()},
+        {"threads", timing.threads},
+        {"peak_memory_bytes", std::size_t(usage.ru_maxrss) * 1024},
+        {"ns_per_particle_step", particle_steps > 0 ? timing.solver_seconds * 1e9 / particle_steps : 0.0}};
+    for (const Task<2>& task : tasks) {
+        auto& seconds = json["tasks"][task.name];
+        seconds = (seconds.is_null() ? 0.0 : seconds.get<double>()) + task.seconds;
+    }
+    write_text_atomically(file, json.dump(2) + "\n");
+}
+
+} // namespace abut

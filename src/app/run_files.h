@@ -1,0 +1,48 @@
+#pragma once
+#include "io/results/csv.h"
+#include "io/results/pvd.h"
+#include "step/state.h"
+#include "step/step.h"
+
+#include <filesystem>
+#include <string>
+
+namespace abut {
+
+/// The result files of a run under way (contract §3).
+class RunFiles {
+public:
+    /// Writes scene.json and opens the tables; the folder is ready (prepare_result_folder).
+    RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<2>& state);
+
+    /// A row of history.csv and the rows of bodies.csv.
+    void write_history(State<2>& state);
+    /// A frame of each series that the scene asks for. \return the interpenetration of bodies, as a fraction of their
+    /// area; 0 without contact
+    double write_frames(State<2>& state);
+    /// The particles of a state that has gone wrong, as particles/failed.vtu.
+    void write_failed(const State<2>& state);
+
+private:
+    std::filesystem::path folder_;
+    CsvTable history_;
+    CsvTable bodies_;
+    PvdSeries particles_;
+    PvdSeries grid_;
+    PvdSeries contact_;
+    int frame_ = 0;
+    double last_history_ = 0; ///< time of the last row
+};
+
+/// What timing.json tells beside the tasks.
+struct RunTiming {
+    double wall_seconds = 0;
+    double cpu_seconds = 0;
+    double solver_seconds = 0;
+    int threads = 1;
+};
+
+void write_timing(const std::filesystem::path& file, const State<2>& state, const std::vector<Task<2>>& tasks,
+                  const RunTiming& timing);
+
+} // namespace abut

@@ -1,0 +1,58 @@
+#pragma once
+#include "contact/law/law.h"
+#include "grid/velocity_fields.h"
+
+#include <vector>
+
+namespace abut {
+
+/// Body a at a contact node against body b, or against all others lumped (contact paper §3.4).
+template <int D>
+struct ContactPoint {
+    std::int32_t slot_a = -1;
+    std::int32_t slot_b = -1; ///< -1: all other active bodies of the node, lumped
+    std::int32_t body_a = -1;
+    std::int32_t body_b = -1;       ///< the one whose law counts: the other with the most mass
+    Vec<D> normal = Vec<D>::Zero(); ///< unit, from a to b; zero: none found
+    double separation = 0;          ///< [m], < 0 in overlap
+    std::int32_t cloud_size = 0;
+    std::int32_t iterations = 0;
+    bool touching = false;           ///< in contact in the second pass
+    Vec<D> impulse = Vec<D>::Zero(); ///< on a in the second pass [N s]
+};
+
+/// The active bodies of one contact node: those whose share of the node's mass is not negligible (notes 4.1).
+template <int D>
+struct ContactGroup {
+    Index<D> node;
+    std::int32_t first = 0, last = 0;             ///< in Contact::active
+    std::int32_t first_point = 0, last_point = 0; ///< one point for two active bodies, one for each of more
+
+    bool lumped() const { return last - first > 2; }
+};
+
+/// What contact keeps from the search to the two passes of a step. Scenes without contact keep it empty.
+template <int D>
+struct Contact {
+    LawTable laws;
+    /// Bodies with no larger share of a node's mass than this take no part in contact there (notes 4.2.3 have 1e-5). 0
+    /// by default: a body under pressure whose domain just reaches a new node has little mass there, but the
+    /// acceleration f/m of that little mass grows without bound as it vanishes; without contact it tears the body's
+    /// edge apart.
+    double smallest_share = 0;
+    std::vector<std::int32_t> active; ///< slots, group by group
+    std::vector<ContactGroup<D>> groups;
+    std::vector<ContactPoint<D>> points;
+
+    /// Particles that each group sees, `cloud_capacity` places each (Effects::clouds).
+    std::vector<std::int32_t> group_of_slot; ///< -1: not in a group
+    std::vector<std::int32_t> cloud_size;
+    std::vector<std::int32_t> cloud_particles;
+    std::int32_t cloud_capacity = 32;
+
+    /// By slot, at contact nodes only.
+    std::vector<Pack> volume_gradient; ///< - | g^α (Effects::gradients)
+    std::vector<Pack> mass_position;   ///< - | Σ S M (X − x_i) (Effects::positions)
+};
+
+} // namespace abut

@@ -1,0 +1,21 @@
+#pragma once
+#include "step/state.h"
+
+namespace abut {
+
+/// First contact pass: corrects the velocities extrapolated to the grid, v^α = v^α0 + Δv^α (contact paper Eq. 26), and
+/// keeps Δv^α if a filter will want it. Changes NodeArrays::velocity.
+template <int D>
+void first_contact_pass(State<D>& state);
+
+/// Second contact pass, after the momentum update (contact paper Eq. 31); the contact force of the step. Separations
+/// are carried to the end of the step (notes 3.56). Changes NodeArrays::end_velocity.
+template <int D>
+void second_contact_pass(State<D>& state);
+
+/// Work of the step's contact impulses on the bodies: impulse times the mean of the velocities at start and end [J].
+/// Negative when friction dissipates.
+template <int D>
+double contact_work(const State<D>& state);
+
+} // namespace abut

@@ -1,0 +1,56 @@
+#include "contact/find_contacts.h"
+#include "grid/parallel.h"
+#include "shape/dispatch.h"
+
+namespace abut {
+
+namespace {
+
+/// Adds to the arrays that are wanted; the others are null.
+template <int D>
+void extrapolate(State<D>& state, std::vector<Pack>* gradient, std::vector<Pack>* mass_position) {
+    if (gradient) gradient->assign(state.fields.size(), Pack{});
+    if (mass_position) mass_position->assign(state.fields.size(), Pack{});
+    const Particles<D>& particles = state.particles;
+    with_shape(state.scene.method.shape, [&](auto shape) {
+        using Shape = decltype(shape);
+        for_each_tile_by_colour(state.tiling, [&](const Tile<D>& tile) {
+            if (!tile.contact) return;
+            auto stencils = state.template stencils<Shape>(tile);
+            for (std::int32_t p = tile.first; p < tile.last; ++p) {
+                const StencilView<D> s = stencils.of(p);
+                const double volume = particles.deformation_gradient[p].determinant() * particles.volume[p];
+                const Pack position = pack<D>(0, particles.position[p] - state.grid.origin) * particles.mass[p];
+                for (int k = 0; k < s.count; ++k) {
+                    const std::int32_t slot = s.slot[k];
+                    if (gradient) {
+                        Pack G{};
+                        for (int a = 0; a < D; ++a) G[a + 1] = s.G[a][k];
+                        (*gradient)[slot] += volume * G;
+                    }
+                    if (mass_position) (*mass_position)[slot] += s.S[k] * position;
+                }
+            }
+        });
+    });
+}
+
+} // namespace
+
+template <int D>
+void extrapolate_contact_fields(State<D>& state) {
+    extrapolate(state, state.effects.gradients ? &state.contact.volume_gradient : nullptr,
+                state.effects.positions ? &state.contact.mass_position : nullptr);
+}
+
+template <int D>
+std::vector<Pack> volume_gradients(State<D>& state) {
+    std::vector<Pack> gradient;
+    extrapolate<D>(state, &gradient, nullptr);
+    return gradient;
+}
+
+template void extrapolate_contact_fields<2>(State<2>&);
+template std::vector<Pack> volume_gradients<2>(State<2>&);
+
+} // namespace abut

@@ -1,0 +1,26 @@
+#pragma once
+#include "step/state.h"
+
+namespace abut {
+
+/// Which bodies at which nodes may be in contact: groups and points, without normals.
+template <int D>
+void find_groups(State<D>& state);
+
+/// The particles that each group sees (contact paper §3.1).
+template <int D>
+void gather_clouds(State<D>& state);
+
+/// Volume gradients and positions at contact nodes (contact paper Eq. 11).
+template <int D>
+void extrapolate_contact_fields(State<D>& state);
+
+/// Volume gradients g^α = Σ G V of all slots at contact nodes, for whoever wants them outside the step [m^2].
+template <int D>
+std::vector<Pack> volume_gradients(State<D>& state);
+
+/// Normal and separation of every point (contact paper Eq. 13, 16, 19-25).
+template <int D>
+void find_normals_and_separations(State<D>& state);
+
+} // namespace abut

@@ -1,0 +1,136 @@
+#include "contact/find_contacts.h"
+#include "contact/normal/logistic_regression.h"
+#include "contact/separation/separation.h"
+
+#include <limits>
+
+namespace abut {
+
+namespace {
+
+/// The group's particles, body a (class -1) against the rest (class +1), positions in cells from the node.
+template <int D>
+void classify(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, std::int32_t body_a,
+              Cloud<D>& cloud) {
+    const Contact<D>& contact = state.contact;
+    const Vec<D> node = state.grid.node_position(group.node);
+    const double inverse_length = 1 / state.grid.length();
+    const std::int32_t* first = contact.cloud_particles.data() + g * contact.cloud_capacity;
+    cloud.clear();
+    double squares = 0;
+    for (std::int32_t i = 0; i < contact.cloud_size[g]; ++i) {
+        const Vec<D> x = (state.particles.position[first[i]] - node) * inverse_length;
+        squares += state.particles.half_size[first[i]].squaredNorm();
+        cloud.add(x, state.particles.body[first[i]] == body_a ? -1.0 : 1.0, first[i]);
+    }
+    // A uniform domain of half edge r has the variance r²/3.
+    cloud.spread = squares * inverse_length * inverse_length / (3 * D * cloud.size);
+}
+
+/// Separation of the edges of the particles nearest to the other class (contact paper Eq. 22-24) [m].
+template <int D>
+double particle_edges(const State<D>& state, std::int32_t body_a, const Vec<D>& n, const Cloud<D>& cloud) {
+    double edge_a = -std::numeric_limits<double>::infinity();
+    double edge_b = std::numeric_limits<double>::infinity();
+    for (const int p : cloud.particle) {
+        const double x = state.particles.position[p].dot(n);
+        const double R = edge_distance<D>(state.particles.deformation_gradient[p], state.particles.half_size[p], n);
+        if (state.particles.body[p] == body_a)
+            edge_a = std::max(edge_a, x + R);
+        else
+            edge_b = std::min(edge_b, x - R);
+    }
+    return edge_b - edge_a;
+}
+
+/// Sum of a slot quantity over the other side of a point.
+template <int D>
+Pack sum_of_others(const State<D>& state, const ContactGroup<D>& group, std::int32_t slot_a,
+                   const std::vector<Pack>& values) {
+    Pack sum{};
+    for (std::int32_t i = group.first; i < group.last; ++i)
+        if (state.contact.active[i] != slot_a) sum += values[state.contact.active[i]];
+    return sum;
+}
+
+/// n = (g_a − g_b)/|g_a − g_b| (contact paper Eq. 13).
+template <int D>
+Vec<D> average_gradient(const State<D>& state, const ContactGroup<D>& group, std::int32_t slot_a) {
+    const std::vector<Pack>& gradient = state.contact.volume_gradient;
+    const Vec<D> g = vector_of<D>(gradient[slot_a] - sum_of_others(state, group, slot_a, gradient));
+    const double length = g.norm();
+    return length > 0 ? Vec<D>(g / length) : Vec<D>::Zero();
+}
+
+/// Separation from extrapolated positions [m].
+template <int D>
+double grid_separation(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point) {
+    const std::vector<Pack>& mass_position = state.contact.mass_position;
+    const Vec<D> node = state.grid.node_position(group.node) - state.grid.origin;
+    const double inverse_length = 1 / state.grid.length();
+    const auto apparent = [&](const Pack& moment, double mass) {
+        return (vector_of<D>(moment) / mass - node).dot(point.normal) * inverse_length;
+    };
+    const double a = apparent(mass_position[point.slot_a], state.nodes.momentum[point.slot_a][0]);
+    const double b = apparent(sum_of_others(state, group, point.slot_a, mass_position),
+                              sum_of_others(state, group, point.slot_a, state.nodes.momentum)[0]);
+    const ContactSpec& spec = *state.scene.contact;
+    return state.grid.length() * (spec.separation == SeparationMethod::critical_position
+                                      ? critical_position(a, b, spec.offset)
+                                      : fitted_position(a, b, spec.exponent));
+}
+
+template <int D>
+void solve_point(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point,
+                 Cloud<D>& cloud) {
+    const Effects& effects = state.effects;
+    if (effects.clouds) {
+        classify(state, group, g, point.body_a, cloud);
+        point.cloud_size = cloud.size;
+    }
+    if (effects.regression) {
+        const Regression<D> regression = logistic_regression(cloud);
+        point.iterations = regression.iterations;
+        if (regression.found) point.normal = regression.normal;
+    } else {
+        point.normal = average_gradient(state, group, point.slot_a);
+    }
+    if (point.normal.isZero()) {
+        point.separation = std::numeric_limits<double>::infinity(); // no plane: no contact
+        return;
+    }
+    switch (state.scene.contact->separation) {
+    case SeparationMethod::particle_edges:
+        point.separation = particle_edges(state, point.body_a, point.normal, cloud);
+        break;
+    case SeparationMethod::critical_position:
+    case SeparationMethod::fitted_position:
+        point.separation = grid_separation(state, group, point);
+        break;
+    case SeparationMethod::none:
+        point.separation = -std::numeric_limits<double>::infinity();
+        break;
+    }
+}
+
+} // namespace
+
+template <int D>
+void find_normals_and_separations(State<D>& state) {
+    Contact<D>& contact = state.contact;
+    const auto n = static_cast<std::ptrdiff_t>(contact.groups.size());
+#pragma omp parallel
+    {
+        Cloud<D> cloud;
+#pragma omp for schedule(dynamic, 64)
+        for (std::ptrdiff_t g = 0; g < n; ++g) {
+            const ContactGroup<D>& group = contact.groups[g];
+            for (std::int32_t i = group.first_point; i < group.last_point; ++i)
+                solve_point(state, group, g, contact.points[i], cloud);
+        }
+    }
+}
+
+template void find_normals_and_separations<2>(State<2>&);
+
+} // namespace abut

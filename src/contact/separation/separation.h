@@ -1,0 +1,44 @@
+#pragma once
+#include "math/linear_algebra.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace abut {
+
+/// Distance from a particle's centre to the edge of its deformed domain along n, the ellipsoid inscribed in the
+/// undeformed domain being carried along by F: the extent of that ellipsoid in the direction n,
+///   R = |diag(R0) Fᵀ n|.
+/// This is not Eq. (25) of the contact paper, 1/R = |diag(R0)⁻¹ F⁻¹ n|, which is the length of the ray along n from
+/// the centre to the ellipsoid. Both agree while n is a principal direction of the particle's deformation, but in
+/// shear the ray is shorter than the extent: a row of particles sheared along a straight edge would seem to end short
+/// of that edge, and bodies would meet late. With the extent the row ends exactly at the edge: an edge of undeformed
+/// normal N along an axis lies R0 from the centres and, deformed, has n = F⁻ᵀN/|F⁻ᵀN| and lies R0/|F⁻ᵀN| = |R0 Fᵀn|
+/// from them.
+template <int D>
+double edge_distance(const Mat<D>& F, const Vec<D>& half_size, const Vec<D>& n) {
+    return half_size.cwiseProduct(F.transpose() * n).norm();
+}
+
+/// Eq. (25) as published.
+template <int D>
+double edge_distance_along_ray(const Mat<D>& F, const Vec<D>& half_size, const Vec<D>& n) {
+    return 1 / (F.inverse() * n).cwiseQuotient(half_size).norm();
+}
+
+/// Critical position: (x_b − x_a)·n less a constant offset (contact paper Eq. 16; notes 3.50).
+/// \param apparent_a (x_a − x_i)·n of the extrapolated position of a [cells]; likewise b
+/// \return separation [cells]
+inline double critical_position(double apparent_a, double apparent_b, double offset) {
+    return apparent_b - apparent_a - offset;
+}
+
+/// Fitted position: the extrapolated distances of both bodies to the node, corrected by a power law (notes 3.51).
+inline double fitted_position(double apparent_a, double apparent_b, double exponent) {
+    const double a = 1 - 2 * std::pow(std::max(-apparent_a, 0.0) / 1.25, exponent);
+    const double b = 2 * std::pow(std::max(apparent_b, 0.0) / 1.25, exponent) - 1;
+    return b - a;
+}
+
+} // namespace abut

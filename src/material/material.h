@@ -1,0 +1,27 @@
+#pragma once
+#include "material/neo_hookean.h"
+
+#include <variant>
+
+namespace abut {
+
+/// The constitutive laws. To add one: a struct with kirchhoff, energy and stiffness, and a line here and in make_law.
+using Law = std::variant<NeoHookean, NeoHookeanIsochoric>;
+
+/// A material ready for the kernels.
+struct Material {
+    Law law;
+    double density; ///< of the undeformed solid [kg/m^3]
+};
+
+inline Material make_material(const MaterialSpec& spec) {
+    switch (spec.model) {
+    case MaterialModel::neo_hookean:
+        return {NeoHookean{spec.bulk_modulus - 2.0 / 3 * spec.shear_modulus, spec.shear_modulus}, spec.density};
+    case MaterialModel::neo_hookean_isochoric:
+        break;
+    }
+    return {NeoHookeanIsochoric{spec.bulk_modulus, spec.shear_modulus}, spec.density};
+}
+
+} // namespace abut

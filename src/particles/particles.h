@@ -1,0 +1,41 @@
+#pragma once
+#include "math/linear_algebra.h"
+#include "particles/model.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace abut {
+
+/// Symmetric Kirchhoff stress: xx yy zz xy in plane analyses, xx yy zz xy yz xz in 3D [Pa].
+template <int D>
+using Stress = Eigen::Matrix<double, D == 2 ? 4 : 6, 1>;
+
+/// The material points, one array a field, kept in the order of blocks, bodies and cells (see sort.h).
+/// Plane analyses hold the in-plane part of the deformation gradient.
+template <int D>
+struct Particles {
+    std::vector<Vec<D>> position;             ///< [m]
+    std::vector<Vec<D>> velocity;             ///< [m/s]
+    std::vector<Mat<D>> deformation_gradient; ///< F
+    std::vector<Stress<D>> stress;            ///< Kirchhoff stress τ = Jσ [Pa]
+    std::vector<double> mass;                 ///< [kg]
+    std::vector<double> volume;               ///< undeformed, V0 [m^3]
+    std::vector<Vec<D>> half_size;            ///< half edges of the undeformed domain [m]
+    std::vector<std::int32_t> body;
+    std::vector<std::int32_t> id; ///< index in the Model, which never changes
+
+    std::size_t size() const { return position.size(); }
+};
+
+/// Bytes that one particle takes in Particles<D>.
+template <int D>
+constexpr std::size_t bytes_per_particle() {
+    return sizeof(Vec<D>) * 3 + sizeof(Mat<D>) + sizeof(Stress<D>) + 2 * sizeof(double) + 2 * sizeof(std::int32_t);
+}
+
+/// Particles at rest strain with their body's velocity, in the model's order.
+template <int D>
+Particles<D> make_particles(const Model& model, const Scene& scene);
+
+} // namespace abut

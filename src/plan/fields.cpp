@@ -1,0 +1,34 @@
+#include "plan/fields.h"
+
+#include "contact/contact.h"
+#include "particles/particles.h"
+
+namespace abut {
+
+template <int D>
+std::vector<Field> fields_of(const Effects& effects) {
+    std::vector<Field> fields;
+    const auto add = [&](bool needed, const char* name, const char* place, const char* reason, std::size_t bytes) {
+        if (needed) fields.push_back({name, place, reason, bytes});
+    };
+    add(true, "position, velocity, deformation gradient, stress, mass, volume, half size, body, id", "particle",
+        "always", bytes_per_particle<D>());
+    add(true, "initial position", "particle", "displacement in the results", sizeof(Vec<D>));
+    add(true, "mass and momentum", "slot", "always", sizeof(Pack));
+    add(true, "force", "slot", "always", sizeof(Pack));
+    add(true, "velocity at the start of the step", "slot", "always", sizeof(Pack));
+    add(true, "velocity at the end of the step", "slot", "always", sizeof(Pack));
+    add(effects.extra_orders > 0, "filtered velocity, round trip", "slot", "xpic of order 2 or more", 2 * sizeof(Pack));
+    add(effects.delta_velocity, "velocity change of the first contact pass", "slot", "xpic with contact", sizeof(Pack));
+    add(effects.gradients, "volume gradient", "slot", "normals by volume gradients", sizeof(Pack));
+    add(effects.positions, "mass times position", "slot", "separations by extrapolated positions", sizeof(Pack));
+    add(effects.contact, "bodies, normal, separation, impulse", "contact node", "the scene has contact",
+        sizeof(ContactGroup<D>) + sizeof(ContactPoint<D>));
+    add(effects.clouds, "point cloud", "contact node",
+        effects.regression ? "normals by regression" : "separations by particle edges", 32 * sizeof(std::int32_t));
+    return fields;
+}
+
+template std::vector<Field> fields_of<2>(const Effects&);
+
+} // namespace abut

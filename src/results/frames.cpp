@@ -1,0 +1,212 @@
+#include "results/frames.h"
+
+#include "contact/find_contacts.h"
+#include "step/tasks.h"
+
+#include <map>
+#include <tuple>
+
+namespace abut {
+
+namespace {
+
+void append(std::vector<double>& values, const Vector& v) {
+    values.insert(values.end(), v.begin(), v.end());
+}
+
+template <int D>
+Words body_names(const State<D>& state) {
+    Words words{"body_names", {}};
+    for (const ModelBody& body : state.bodies) words.values.push_back(body.name);
+    return words;
+}
+
+/// Full tensor in VTK's order from a Kirchhoff stress.
+template <int D>
+std::array<double, 6> cauchy(const Stress<D>& tau, double J) {
+    std::array<double, 6> s{};
+    for (int c = 0; c < static_cast<int>(tau.size()); ++c) s[c] = tau[c] / J;
+    return s;
+}
+
+double von_mises(const std::array<double, 6>& s) {
+    const double xy = s[0] - s[1];
+    const double yz = s[1] - s[2];
+    const double zx = s[2] - s[0];
+    return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+} // namespace
+
+template <int D>
+void look(State<D>& state) {
+    const Contact<D> last = state.contact;
+    find_velocity_fields(state);
+    if (stores_stencils(state.scene.method.shape)) store_stencils(state);
+    extrapolate_momenta_and_forces(state);
+    find_velocities(state);
+    state.nodes.end_velocity = state.nodes.velocity;
+    if (!state.effects.contact) return;
+    find_groups(state);
+    if (state.effects.clouds) gather_clouds(state);
+    if (state.effects.gradients || state.effects.positions) extrapolate_contact_fields(state);
+    if (state.effects.clouds || state.effects.gradients) find_normals_and_separations(state);
+
+    std::map<std::tuple<Index<D>, std::int32_t, std::int32_t>, const ContactPoint<D>*> last_points;
+    for (const ContactGroup<D>& group : last.groups)
+        for (std::int32_t i = group.first_point; i < group.last_point; ++i)
+            last_points[{group.node, last.points[i].body_a, last.points[i].body_b}] = &last.points[i];
+    for (const ContactGroup<D>& group : state.contact.groups)
+        for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+            ContactPoint<D>& point = state.contact.points[i];
+            const auto found = last_points.find({group.node, point.body_a, point.body_b});
+            if (found == last_points.end()) continue;
+            point.impulse = found->second->impulse;
+            point.touching = found->second->touching;
+        }
+}
+
+template <int D>
+PointFrame particle_frame(const State<D>& state) {
+    const Particles<D>& particles = state.particles;
+    const std::size_t n = particles.size();
+    std::vector<std::size_t> by_id(n);
+    for (std::size_t p = 0; p < n; ++p) by_id[particles.id[p]] = p;
+
+    PointFrame frame;
+    frame.time = state.time;
+    std::vector<double> velocity, displacement, stress, pressure, mises, F, mass, volume, half_size;
+    std::vector<std::int32_t> body, id;
+    for (const std::size_t p : by_id) {
+        const Mat<D>& f = particles.deformation_gradient[p];
+        const double J = f.determinant();
+        const std::array<double, 6> s = cauchy<D>(particles.stress[p], J);
+        append(frame.points, to_array<D>(particles.position[p]));
+        append(velocity, to_array<D>(particles.velocity[p]));
+        append(displacement, to_array<D>(particles.position[p] - state.initial_position[particles.id[p]]));
+        append(half_size, to_array<D>(particles.half_size[p]));
+        stress.insert(stress.end(), s.begin(), s.end());
+        pressure.push_back(-(s[0] + s[1] + s[2]) / 3);
+        mises.push_back(von_mises(s));
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) F.push_back(i < D && j < D ? f(i, j) : (i == j ? 1.0 : 0.0));
+        mass.push_back(particles.mass[p]);
+        volume.push_back(J * particles.volume[p]);
+        body.push_back(particles.body[p]);
+        id.push_back(particles.id[p]);
+    }
+    frame.arrays = {{"velocity", 3, std::move(velocity)},
+                    {"displacement", 3, std::move(displacement)},
+                    {"stress", 6, std::move(stress)},
+                    {"pressure", 1, std::move(pressure)},
+                    {"von_mises_stress", 1, std::move(mises)},
+                    {"deformation_gradient", 9, std::move(F)},
+                    {"mass", 1, std::move(mass)},
+                    {"volume", 1, std::move(volume)},
+                    {"body", 1, std::move(body)},
+                    {"id", 1, std::move(id)},
+                    {"half_size", 3, std::move(half_size)}};
+    frame.words.push_back(body_names(state));
+    return frame;
+}
+
+template <int D>
+GridFrame grid_frame(const State<D>& state) {
+    const Grid<D>& grid = state.grid;
+    GridFrame frame;
+    frame.time = state.time;
+    std::size_t n = 1;
+    for (int a = 0; a < D; ++a) {
+        frame.nodes[a] = grid.cells[a] + 1;
+        frame.origin[a] = grid.lower()[a];
+        frame.spacing[a] = grid.cell[a];
+        n *= frame.nodes[a];
+    }
+    // Place of a node in the frame; n for the margin.
+    const auto place = [&](const Index<D>& node) {
+        std::size_t number = 0;
+        for (int a = D - 1; a >= 0; --a) {
+            const int i = node[a] - grid_margin;
+            if (i < 0 || i >= frame.nodes[a]) return n;
+            number = number * frame.nodes[a] + i;
+        }
+        return number;
+    };
+    std::vector<double> mass(n, 0), velocity(3 * n, 0);
+    std::vector<std::int32_t> count(n, 0);
+    for (const auto& block : state.fields.blocks)
+        for (std::size_t local = 0; local < nodes_per_block<D>; ++local) {
+            Index<D> node = block.first_node;
+            for (int a = 0, rest = static_cast<int>(local); a < D; ++a, rest /= block_edge)
+                node[a] += rest % block_edge;
+            const std::size_t i = place(node);
+            if (i == n) continue;
+            Pack momentum{};
+            for (std::int32_t slot = block.first_slot[local]; slot < block.first_slot[local + 1]; ++slot) {
+                const Pack v = state.nodes.end_velocity[slot];
+                if (!(v[0] > 0)) continue;
+                mass[i] += v[0];
+                momentum += v[0] * v;
+                ++count[i];
+            }
+            for (int a = 0; a < 3 && mass[i] > 0; ++a) velocity[3 * i + a] = momentum[a + 1] / mass[i];
+        }
+    frame.arrays = {
+        {"mass", 1, std::move(mass)}, {"velocity", 3, std::move(velocity)}, {"body_count", 1, std::move(count)}};
+    if (state.effects.contact) {
+        std::vector<double> normal(3 * n, 0), separation(n, 0);
+        for (const ContactGroup<D>& group : state.contact.groups) {
+            const std::size_t i = place(group.node);
+            if (i == n) continue;
+            const ContactPoint<D>& point = state.contact.points[group.first_point];
+            const Vector v = to_array<D>(point.normal);
+            std::copy(v.begin(), v.end(), normal.begin() + 3 * static_cast<std::ptrdiff_t>(i));
+            separation[i] = point.separation;
+        }
+        frame.arrays.push_back({"contact_normal", 3, std::move(normal)});
+        frame.arrays.push_back({"contact_separation", 1, std::move(separation)});
+    }
+    return frame;
+}
+
+template <int D>
+PointFrame contact_frame(State<D>& state) {
+    PointFrame frame;
+    frame.time = state.time;
+    std::vector<double> normal, separation, area, force;
+    std::vector<std::int32_t> in_contact, body_a, body_b, cloud_size, iterations;
+    std::vector<Pack> gradients = volume_gradients(state);
+    for (const ContactGroup<D>& group : state.contact.groups) {
+        Vec<D> total = Vec<D>::Zero();
+        for (std::int32_t i = group.first; i < group.last; ++i)
+            total += vector_of<D>(gradients[state.contact.active[i]]);
+        for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+            const ContactPoint<D>& point = state.contact.points[i];
+            const Vec<D> own = vector_of<D>(gradients[point.slot_a]);
+            append(frame.points, to_array<D>(state.grid.node_position(group.node)));
+            append(normal, to_array<D>(point.normal));
+            separation.push_back(point.separation);
+            in_contact.push_back(point.touching && !point.impulse.isZero(0));
+            body_a.push_back(point.body_a);
+            body_b.push_back(point.body_b);
+            area.push_back(std::abs(0.5 * (own - (total - own)).dot(point.normal)));
+            append(force, to_array<D>(state.dt > 0 ? Vec<D>(point.impulse / state.dt) : Vec<D>::Zero()));
+            cloud_size.push_back(point.cloud_size);
+            iterations.push_back(point.iterations);
+        }
+    }
+    frame.arrays = {{"normal", 3, std::move(normal)},         {"separation", 1, std::move(separation)},
+                    {"in_contact", 1, std::move(in_contact)}, {"body_a", 1, std::move(body_a)},
+                    {"body_b", 1, std::move(body_b)},         {"area", 1, std::move(area)},
+                    {"force", 3, std::move(force)},           {"cloud_size", 1, std::move(cloud_size)},
+                    {"iterations", 1, std::move(iterations)}};
+    frame.words.push_back(body_names(state));
+    return frame;
+}
+
+template void look<2>(State<2>&);
+template PointFrame particle_frame<2>(const State<2>&);
+template GridFrame grid_frame<2>(const State<2>&);
+template PointFrame contact_frame<2>(State<2>&);
+
+} // namespace abut

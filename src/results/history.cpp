@@ -1,0 +1,157 @@
+#include "results/history.h"
+
+#include "grid/parallel.h"
+
+namespace abut {
+
+Totals& Totals::operator+=(const Totals& other) {
+    mass += other.mass;
+    volume += other.volume;
+    second_moment += other.second_moment;
+    angular_momentum_z += other.angular_momentum_z;
+    kinetic_energy += other.kinetic_energy;
+    strain_energy += other.strain_energy;
+    for (int a = 0; a < 3; ++a) {
+        first_moment[a] += other.first_moment[a];
+        momentum[a] += other.momentum[a];
+    }
+    for (int c = 0; c < 4; ++c) stress_volume[c] += other.stress_volume[c];
+    return *this;
+}
+
+Vector Totals::center() const {
+    return {first_moment[0] / mass, first_moment[1] / mass, first_moment[2] / mass};
+}
+
+Vector Totals::mean_velocity() const {
+    return {momentum[0] / mass, momentum[1] / mass, momentum[2] / mass};
+}
+
+std::array<double, 4> Totals::mean_stress() const {
+    std::array<double, 4> mean{};
+    for (int c = 0; c < 4; ++c) mean[c] = stress_volume[c] / volume;
+    return mean;
+}
+
+double Totals::angular_velocity_z() const {
+    const Vector x = center();
+    const double spin = angular_momentum_z - (x[0] * momentum[1] - x[1] * momentum[0]);
+    const double inertia = second_moment - mass * (x[0] * x[0] + x[1] * x[1]);
+    return inertia > 0 ? spin / inertia : 0;
+}
+
+namespace {
+
+template <int D>
+Totals particle_totals(const State<D>& state, std::int32_t p, const Law& law) {
+    const Particles<D>& particles = state.particles;
+    const Vector x = to_array<D>(particles.position[p]);
+    const Vector v = to_array<D>(particles.velocity[p]);
+    const Strain<D> strain = strain_of<D>(particles.deformation_gradient[p]);
+    Totals t;
+    t.mass = particles.mass[p];
+    t.volume = strain.J * particles.volume[p];
+    t.second_moment = t.mass * (x[0] * x[0] + x[1] * x[1]);
+    t.angular_momentum_z = t.mass * (x[0] * v[1] - x[1] * v[0]);
+    for (int a = 0; a < 3; ++a) {
+        t.first_moment[a] = t.mass * x[a];
+        t.momentum[a] = t.mass * v[a];
+        t.kinetic_energy += 0.5 * t.mass * v[a] * v[a];
+    }
+    t.strain_energy =
+        particles.volume[p] * std::visit([&](const auto& l) { return l.template energy<D>(strain); }, law);
+    // V σ = V0 τ
+    for (int c = 0; c < 4; ++c) t.stress_volume[c] = particles.volume[p] * particles.stress[p][c];
+    return t;
+}
+
+} // namespace
+
+template <int D>
+std::vector<Totals> body_totals(State<D>& state) {
+    std::vector<Totals> by_tile(state.tiling.tiles.size());
+    for_each_tile(state.tiling, [&](const Tile<D>& tile) {
+        Totals& sum = by_tile[&tile - state.tiling.tiles.data()];
+        for (std::int32_t p = tile.first; p < tile.last; ++p)
+            sum += particle_totals(state, p, state.material_of(tile.body).law);
+    });
+    std::vector<Totals> by_body(state.bodies.size());
+    for (std::size_t t = 0; t < by_tile.size(); ++t) by_body[state.tiling.tiles[t].body] += by_tile[t];
+    return by_body;
+}
+
+template <int D>
+std::vector<std::string> history_columns(const State<D>& state) {
+    std::vector<std::string> columns = {"step",           "time",           "dt",
+                                        "kinetic_energy", "strain_energy",  "total_energy",
+                                        "external_work",  "contact_work",   "momentum_x",
+                                        "momentum_y",     "momentum_z",     "mean_stress_xx",
+                                        "mean_stress_yy", "mean_stress_zz", "mean_stress_xy"};
+    for (const Wall<D>& wall : state.walls)
+        for (const char* axis : {"_x", "_y", "_z"}) columns.push_back("force_" + wall.name + axis);
+    return columns;
+}
+
+template <int D>
+std::vector<double> history_row(State<D>& state, const Totals& all, double interval) {
+    std::vector<double> row = {static_cast<double>(state.step),
+                               state.time,
+                               state.dt,
+                               all.kinetic_energy,
+                               all.strain_energy,
+                               all.kinetic_energy + all.strain_energy,
+                               state.ledger.external_work,
+                               state.ledger.contact_work,
+                               all.momentum[0],
+                               all.momentum[1],
+                               all.momentum[2]};
+    for (const double stress : all.mean_stress()) row.push_back(stress);
+    for (Wall<D>& wall : state.walls) {
+        for (int a = 0; a < 3; ++a) row.push_back(a == wall.spec.axis && interval > 0 ? wall.impulse / interval : 0);
+        wall.impulse = 0;
+    }
+    return row;
+}
+
+std::vector<std::string> body_columns() {
+    return {"mass",
+            "x",
+            "y",
+            "z",
+            "vx",
+            "vy",
+            "vz",
+            "kinetic_energy",
+            "strain_energy",
+            "stress_xx",
+            "stress_yy",
+            "stress_zz",
+            "stress_xy",
+            "angular_velocity_z"};
+}
+
+std::vector<double> body_row(const Totals& totals) {
+    const Vector x = totals.center();
+    const Vector v = totals.mean_velocity();
+    const std::array<double, 4> stress = totals.mean_stress();
+    return {totals.mass,
+            x[0],
+            x[1],
+            x[2],
+            v[0],
+            v[1],
+            v[2],
+            totals.kinetic_energy,
+            totals.strain_energy,
+            stress[0],
+            stress[1],
+            stress[2],
+            stress[3],
+            totals.angular_velocity_z()};
+}
+
+template std::vector<Totals> body_totals<2>(State<2>&);
+template std::vector<std::string> history_columns<2>(const State<2>&);
+template std::vector<double> history_row<2>(State<2>&, const Totals&, double);
+
+} // namespace abut

@@ -1,0 +1,48 @@
+#pragma once
+#include "step/state.h"
+
+#include <string>
+#include <vector>
+
+namespace abut {
+
+/// Totals of a set of particles; a row of bodies.csv, or of history.csv for all of them.
+struct Totals {
+    double mass = 0;                       ///< [kg]
+    double volume = 0;                     ///< deformed [m^3]
+    Vector first_moment{};                 ///< Σ m x [kg m]
+    double second_moment = 0;              ///< Σ m (x² + y²) [kg m^2]
+    Vector momentum{};                     ///< [kg m/s]
+    double angular_momentum_z = 0;         ///< about the origin [kg m^2/s]
+    double kinetic_energy = 0;             ///< [J]
+    double strain_energy = 0;              ///< [J]
+    std::array<double, 4> stress_volume{}; ///< Σ V σ: xx yy zz xy [J]
+
+    Totals& operator+=(const Totals& other);
+    Vector center() const;
+    Vector mean_velocity() const;
+    /// Volume-weighted mean Cauchy stress: xx yy zz xy [Pa].
+    std::array<double, 4> mean_stress() const;
+    /// Of the rigid rotation with the same angular momentum about the centre of mass [rad/s].
+    double angular_velocity_z() const;
+};
+
+/// Totals by body; sums are made in the order of particles, whatever the number of threads.
+template <int D>
+std::vector<Totals> body_totals(State<D>& state);
+
+/// Names of history.csv's columns.
+template <int D>
+std::vector<std::string> history_columns(const State<D>& state);
+
+/// A row of history.csv. The force of a boundary on the bodies is the mean since the previous row, so that forces times
+/// intervals add up to the change of momentum; this call starts the next interval.
+/// \param interval time since the previous row [s]
+template <int D>
+std::vector<double> history_row(State<D>& state, const Totals& all, double interval);
+
+/// Names of bodies.csv's columns and one row of them, without the body's name.
+std::vector<std::string> body_columns();
+std::vector<double> body_row(const Totals& totals);
+
+} // namespace abut

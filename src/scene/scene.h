@@ -1,0 +1,198 @@
+#pragma once
+/// \file scene.h
+/// A scene as plain values, in SI units, after reading and before checking its meaning (see validate.h).
+/// Two-dimensional analyses use the first two components of every vector and leave the third at zero.
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace abut {
+
+/// Three components, SI units; z is 0 in two-dimensional scenes.
+using Vector = std::array<double, 3>;
+
+enum class Analysis { plane_strain };
+
+// === Grid and time
+
+struct GridSpec {
+    Vector cell{};  ///< wanted cell size per axis [m]; the box is divided in the nearest whole number of cells
+    Vector lower{}; ///< lower corner of the box [m]
+    Vector upper{}; ///< upper corner of the box [m]
+};
+
+struct TimeSpec {
+    double end = 0;             ///< [s]
+    double cfl = 0.4;           ///< time step / (cell / wave speed); not used when `step` is given
+    std::optional<double> step; ///< fixed time step [s]
+};
+
+// === Method
+
+enum class ShapeKind { linear, ugimp, cpdi };
+enum class TransferScheme { flip, pic, xpic };
+enum class StressUpdate { usf, usl };
+
+/// How pic and xpic move particles. (flip has its own second-order rule.)
+enum class PositionUpdate {
+    /// X += S v+ Δt: with the same grid velocities that deform the particle when stress is updated last. Positions and
+    /// deformation gradients then stay together however far a body is deformed.
+    end_velocity,
+    /// X += [S m^-1 p + (V' − V)/2] Δt, as published for XPIC (FMPM paper §2.3). At walls, contacts and free edges the
+    /// velocities at the start of a step are those of the last end smoothed once more by the extrapolation, so
+    /// particles
+    /// move by less than they deform: after large compression their domains leave cracks and overlaps.
+    start_velocity
+};
+
+struct TransferSpec {
+    TransferScheme scheme = TransferScheme::flip;
+    int order = 2; ///< k of xpic; flip and pic have none
+    PositionUpdate position = PositionUpdate::end_velocity;
+};
+
+struct MethodSpec {
+    ShapeKind shape = ShapeKind::cpdi;
+    TransferSpec transfer;
+    StressUpdate stress_update = StressUpdate::usl;
+};
+
+// === Materials and bodies
+
+enum class MaterialModel { neo_hookean, neo_hookean_isochoric };
+
+/// A constitutive law with its constants. The reader converts any pair of elastic constants to (K, G).
+struct MaterialSpec {
+    std::string name;
+    MaterialModel model = MaterialModel::neo_hookean;
+    double density = 0;       ///< [kg/m^3]
+    double bulk_modulus = 0;  ///< K [Pa]
+    double shear_modulus = 0; ///< G [Pa]
+};
+
+struct Box {
+    Vector lower{}, upper{}; ///< [m]
+};
+struct Disk {
+    Vector center{};   ///< [m]
+    double radius = 0; ///< [m]
+};
+struct Ellipse {
+    Vector center{};                   ///< [m]
+    std::array<double, 2> semi_axes{}; ///< [m]
+    double angle = 0;                  ///< of the first semi-axis, counter-clockwise from x [rad]
+};
+
+/// Particles that share one velocity field.
+struct BodySpec {
+    std::string name;
+    std::string material;
+    std::variant<Box, Disk, Ellipse> shape;
+    Vector velocity{};          ///< initial, uniform [m/s]
+    int particles_per_cell = 2; ///< per axis
+};
+
+/// One colour of an image and what it stands for.
+struct LegendEntry {
+    std::array<int, 3> rgb{}; ///< 0..255; equal components when the scene gave "grey"
+    bool grey = false;        ///< how the scene named the colour (for messages)
+    int tolerance = 0;        ///< largest difference per channel that still matches
+    bool is_void = false;     ///< no material; the members below are then unused
+    std::string body;
+    std::string material;
+    Vector velocity{};
+};
+
+struct ImageSpec {
+    std::filesystem::path file;    ///< as written; relative paths are relative to the scene file
+    std::array<double, 2> pixel{}; ///< physical size of a pixel [m]; or zero if `size` is given
+    std::array<double, 2> size{};  ///< physical size of the whole image [m]; or zero if `pixel` is given
+    Vector lower{};                ///< where the image's lower left corner lies [m]
+    bool top_row_is_top = true;    ///< false: the image's first row is the bottom of the box
+    int particles_per_cell = 2;    ///< per axis
+    std::vector<LegendEntry> legend;
+};
+
+// === Contact
+
+enum class NormalMethod { logistic_regression, average_gradient };
+enum class SeparationMethod { particle_edges, critical_position, fitted_position, none };
+enum class LawType { frictionless, friction, stick, perfect };
+
+struct LawSpec {
+    LawType type = LawType::frictionless;
+    double coefficient = 0; ///< Coulomb's, `friction` only
+};
+
+struct PairLawSpec {
+    std::array<std::string, 2> bodies;
+    LawSpec law;
+};
+
+struct ContactSpec {
+    NormalMethod normal = NormalMethod::logistic_regression;
+    SeparationMethod separation = SeparationMethod::particle_edges;
+    double offset = 0.8;    ///< of critical_position, in cells
+    double exponent = 0.58; ///< of fitted_position
+    int corrections = 2;    ///< 1 or 2 a step
+    double screening = 0;   ///< bodies with a smaller share of a node's mass take no part in contact there
+    LawSpec law;            ///< of every pair not named in `laws`
+    std::vector<PairLawSpec> laws;
+};
+
+// === Boundaries and output
+
+enum class Side { lower, upper };
+
+/// A virtual moving wall across one axis (FMPM paper §2.5). It sets the normal velocity of the nodes at most `depth`
+/// cells inside it and of every node outside it that has mass.
+struct WallSpec {
+    int axis = 0;            ///< 0 x, 1 y, 2 z
+    Side side = Side::lower; ///< lower: material lies above the wall
+    double position = 0;     ///< at time 0 [m]
+    double velocity = 0;     ///< along the axis [m/s]
+    double depth = 1;        ///< [cells]
+    double gradient = 0;     ///< of the normal velocity along the axis at the wall [1/s]
+    bool grip = true;        ///< false: material may leave the wall
+};
+
+struct BoundarySpec {
+    std::string name;
+    WallSpec wall;
+};
+
+struct OutputSpec {
+    double every = 0;                    ///< [s]; 0: first and last state only
+    std::optional<double> history_every; ///< [s]; not given: a hundredth of `every`, at least each step
+    bool particles = true;
+    bool grid = true;
+    bool contact = true; ///< used by scenes with contact only
+};
+
+/// All of a scene file.
+struct Scene {
+    std::string title;
+    Analysis analysis = Analysis::plane_strain;
+    double thickness = 1; ///< plane analyses [m]
+    GridSpec grid;
+    TimeSpec time;
+    MethodSpec method;
+    std::vector<MaterialSpec> materials;
+    std::vector<BodySpec> bodies;
+    std::vector<ImageSpec> images;
+    std::optional<ContactSpec> contact;
+    std::vector<BoundarySpec> boundaries;
+    Vector gravity{};
+    OutputSpec output;
+};
+
+/// Number of space dimensions of an analysis.
+constexpr int dimension(Analysis) {
+    return 2;
+}
+
+} // namespace abut

@@ -1,0 +1,52 @@
+#include "step/state.h"
+
+#include <algorithm>
+
+namespace abut {
+
+namespace {
+
+LawTable law_table(const ContactSpec& contact, const std::vector<ModelBody>& bodies) {
+    LawTable table;
+    table.standard = contact.law;
+    const auto index = [&](const std::string& name) {
+        const auto found =
+            std::find_if(bodies.begin(), bodies.end(), [&](const ModelBody& body) { return body.name == name; });
+        return static_cast<std::int32_t>(found - bodies.begin());
+    };
+    for (const PairLawSpec& pair : contact.laws) {
+        auto [a, b] = std::minmax(index(pair.bodies[0]), index(pair.bodies[1]));
+        table.pairs.push_back({a, b, pair.law});
+    }
+    return table;
+}
+
+} // namespace
+
+template <int D>
+State<D> make_state(const Scene& scene, const Model& model) {
+    State<D> state;
+    state.scene = scene;
+    state.effects = effects_of(scene);
+    state.bodies = model.bodies;
+    for (const MaterialSpec& spec : scene.materials) state.materials.push_back(make_material(spec));
+    for (const Vector& x : model.position) state.initial_position.push_back(to_vec<D>(x));
+    state.grid = make_grid<D>(scene.grid);
+    state.particles = make_particles<D>(model, scene);
+    if (scene.contact) {
+        state.contact.laws = law_table(*scene.contact, model.bodies);
+        state.contact.smallest_share = scene.contact->screening;
+    }
+    for (const BoundarySpec& boundary : scene.boundaries) state.walls.push_back({boundary.name, boundary.wall, {}, 0});
+    for (const ModelBody& body : model.bodies) {
+        const Material& material = state.materials[body.material];
+        const double stiffness = std::visit(
+            [](const auto& law) { return law.template stiffness<D>(strain_of<D>(Mat<D>::Identity())); }, material.law);
+        state.largest_wave_speed = std::max(state.largest_wave_speed, std::sqrt(stiffness / material.density));
+    }
+    return state;
+}
+
+template State<2> make_state<2>(const Scene&, const Model&);
+
+} // namespace abut

@@ -1,0 +1,76 @@
+// Bodies that claim the same place.
+#include "geometry/random.h"
+#include "geometry/shape_particles.h"
+#include "model_support.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace abut; // NOLINT(google-build-using-namespace): the room under test
+using test::box;
+using test::problems;
+using test::unit_scene;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(Overlap, OfShapes) {
+    Scene scene = unit_scene(4);
+    scene.bodies = {
+        box("a", {0, 0, 0}, {2, 2, 0}), box("b", {1, 0, 0}, {3, 2, 0}), {"c", "steel", Disk{{1, 3, 0}, 0.5}, {}, 2}};
+    EXPECT_THAT(problems(scene), ElementsAre("/bodies/1: body \"b\" claims a place that body \"a\" has already "
+                                             "(/bodies/0): 8 of its 16 particles coincide"));
+    scene.bodies[1] = box("a", {1, 0, 0}, {3, 2, 0}); // the mass of one body twice in one place
+    EXPECT_EQ(problems(scene).size(), 1u);
+}
+
+TEST(Overlap, OfDifferentParticleSizesIsFoundBothWays) {
+    Scene scene = unit_scene(4);
+    scene.bodies = {box("coarse", {0, 0, 0}, {2, 2, 0}), box("fine", {0.05, 0.05, 0}, {0.15, 0.15, 0})};
+    scene.bodies[0].particles_per_cell = 1;
+    EXPECT_THAT(problems(scene), ElementsAre("/bodies/1: body \"fine\" claims a place that body \"coarse\" has already "
+                                             "(/bodies/0): 1 of its 1 particle coincides"));
+    std::swap(scene.bodies[0], scene.bodies[1]);
+    EXPECT_THAT(problems(scene), ElementsAre(HasSubstr("1 of its 4 particles coincides")));
+}
+
+/// Two random shapes, against comparing every particle with every other.
+TEST(Overlap, AgreesWithBruteForce) {
+    Random random(2);
+    int overlapping = 0;
+    for (int round = 0; round < 100; ++round) {
+        Scene scene = unit_scene(8);
+        for (int k = 0; k < 2; ++k) {
+            const Vector lower{random.between(0, 5), random.between(0, 5), 0};
+            const Vector upper{lower[0] + random.between(0.3, 3), lower[1] + random.between(0.3, 3), 0};
+            scene.bodies.push_back(box(k == 0 ? "a" : "b", lower, upper));
+            scene.bodies.back().particles_per_cell = 1 + random.below(4);
+        }
+        std::array<ShapeParticles, 2> shape;
+        for (std::size_t k = 0; k < 2; ++k)
+            shape[k] = shape_particles(scene.bodies[k].shape, scene.bodies[k].particles_per_cell, scene.grid);
+        std::size_t expected = 0;
+        for (const Vector& later : shape[1].position)
+            expected += std::any_of(shape[0].position.begin(), shape[0].position.end(), [&](const Vector& earlier) {
+                const double x = std::abs(later[0] - earlier[0]), y = std::abs(later[1] - earlier[1]);
+                return (x < shape[0].half_size[0] && y < shape[0].half_size[1]) ||
+                       (x < shape[1].half_size[0] && y < shape[1].half_size[1]);
+            });
+        const std::vector<std::string> found = problems(scene);
+        ASSERT_EQ(found.size(), expected > 0 ? 1u : 0u);
+        if (expected == 0) continue;
+        ++overlapping;
+        EXPECT_THAT(found[0],
+                    HasSubstr(fmt::format("(/bodies/0): {} of its {} particle", expected, shape[1].position.size())));
+    }
+    EXPECT_GT(overlapping, 20);
+}
+
+TEST(Overlap, TouchingBodiesAreFine) {
+    Scene scene = unit_scene(3);
+    scene.bodies = {box("a", {0, 0, 0}, {1.1, 3, 0}), box("b", {1.1, 0, 0}, {2.3, 3, 0}),
+                    box("c", {2.3, 0, 0}, {3, 3, 0})};
+    EXPECT_THAT(problems(scene), ElementsAre());
+}

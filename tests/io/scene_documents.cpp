@@ -1,0 +1,286 @@
+/// The schema and the reference page against the reader.
+#include "scene_support.h"
+
+#include "io/scene/check.h"
+#include "io/scene/specification.h"
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <regex>
+
+namespace abut::scene_test {
+namespace {
+
+/// Whether a text has the pattern; compiling one takes far longer than using it, so each is compiled once.
+bool has_pattern(const std::string& text, const std::string& pattern) {
+    static std::map<std::string, std::regex> compiled;
+    return std::regex_search(text, compiled.try_emplace(pattern, pattern).first->second);
+}
+
+bool has_type(const Json& value, const std::string& type) {
+    if (type == "object") return value.is_object();
+    if (type == "array") return value.is_array();
+    if (type == "string") return value.is_string();
+    if (type == "boolean") return value.is_boolean();
+    if (type == "number") return value.is_number();
+    if (type == "integer") return value.is_number() && std::floor(value.get<double>()) == value.get<double>();
+    throw std::logic_error("type " + type);
+}
+
+bool conforms(const Json& value, const Json& schema);
+
+std::size_t matches(const Json& value, const Json& schemas) {
+    std::size_t count = 0;
+    for (const Json& schema : schemas) count += conforms(value, schema) ? 1 : 0;
+    return count;
+}
+
+/// One keyword of a schema, of those that ours uses; as in JSON Schema, keywords about another type say nothing.
+bool keyword_holds(const Json& value, const std::string& keyword, const Json& rule, const Json& schema) {
+    if (keyword == "type") return has_type(value, rule);
+    if (keyword == "enum") return std::find(rule.begin(), rule.end(), value) != rule.end();
+    if (keyword == "const") return value == rule;
+    if (keyword == "anyOf") return matches(value, rule) > 0;
+    if (keyword == "oneOf") return matches(value, rule) == 1;
+    if (keyword == "allOf") return matches(value, rule) == rule.size();
+    if (keyword == "not") return !conforms(value, rule);
+    if (keyword == "if") {
+        const std::string branch = conforms(value, rule) ? "then" : "else";
+        return !schema.contains(branch) || conforms(value, schema[branch]);
+    }
+    if (value.is_number()) {
+        if (keyword == "minimum") return value >= rule;
+        if (keyword == "maximum") return value <= rule;
+        if (keyword == "exclusiveMinimum") return value > rule;
+        if (keyword == "exclusiveMaximum") return value < rule;
+    }
+    if (value.is_string()) {
+        if (keyword == "minLength") return value.get<std::string>().size() >= rule.get<std::size_t>();
+        if (keyword == "pattern") return has_pattern(value, rule);
+    }
+    if (value.is_array()) {
+        if (keyword == "minItems") return value.size() >= rule.get<std::size_t>();
+        if (keyword == "maxItems") return value.size() <= rule.get<std::size_t>();
+        if (keyword == "items")
+            return std::all_of(value.begin(), value.end(), [&](const Json& item) { return conforms(item, rule); });
+    }
+    if (value.is_object()) {
+        if (keyword == "required")
+            return std::all_of(rule.begin(), rule.end(), [&](const Json& key) { return value.contains(key); });
+        for (const auto& [key, member] : value.items()) {
+            const bool named = schema.contains("properties") && schema["properties"].contains(key);
+            if (keyword == "properties" && named && !conforms(member, rule[key])) return false;
+            if (keyword == "additionalProperties" && !named && !conforms(member, rule)) return false;
+        }
+    }
+    static const std::vector<std::string> known{"then",
+                                                "else",
+                                                "$schema",
+                                                "title",
+                                                "description",
+                                                "default",
+                                                "minimum",
+                                                "maximum",
+                                                "exclusiveMinimum",
+                                                "exclusiveMaximum",
+                                                "minLength",
+                                                "pattern",
+                                                "minItems",
+                                                "maxItems",
+                                                "items",
+                                                "required",
+                                                "properties",
+                                                "additionalProperties"};
+    if (std::find(known.begin(), known.end(), keyword) == known.end()) throw std::logic_error("keyword " + keyword);
+    return true;
+}
+
+bool conforms(const Json& value, const Json& schema) {
+    if (schema.is_boolean()) return schema.get<bool>();
+    for (const auto& [keyword, rule] : schema.items())
+        if (!keyword_holds(value, keyword, rule, schema)) return false;
+    return true;
+}
+
+/// What the schema says at a path of the table.
+const Json* schema_at(const Json& schema, const std::string& path) {
+    const Json* place = &schema;
+    for (std::size_t begin = 1; begin <= path.size();) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        const std::string token = path.substr(begin, end - begin);
+        place = token == "#"   ? find(*place, "items")
+                : token == "*" ? find(*place, "additionalProperties")
+                               : find((*place)["properties"], token);
+        if (!place) return nullptr;
+        begin = end + 1;
+    }
+    return place;
+}
+
+TEST(SceneSchema, HasEveryKeyOfTheTable) {
+    const Json schema = parsed(scene_schema());
+    EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    for (const Key& key : scene_keys()) {
+        const Json* place = schema_at(schema, key.path);
+        ASSERT_EQ(place != nullptr, key.kind != Kind::later) << key.path;
+        if (!place) continue;
+        EXPECT_THAT((*place)["description"].get<std::string>(), testing::StartsWith(key.meaning)) << key.path;
+        EXPECT_TRUE(key.kind != Kind::object || (*place)["additionalProperties"] == false) << key.path;
+        EXPECT_TRUE(!key.otherwise || conforms(Json::parse(*key.otherwise), *place)) << key.path;
+    }
+}
+
+TEST(SceneTable, IsWellFormed) {
+    for (const Key& key : scene_keys()) {
+        EXPECT_THAT(key.meaning, testing::AllOf(testing::Not(testing::IsEmpty()), testing::EndsWith("."))) << key.path;
+        EXPECT_FALSE(key.required && key.otherwise) << key.path;
+        EXPECT_EQ(key.kind == Kind::word, !key.words.empty()) << key.path;
+    }
+    const auto has_key = [](const auto& self, const SpecificationNode& node) -> bool {
+        return node.key && std::all_of(node.children.begin(), node.children.end(),
+                                       [&](const SpecificationNode& child) { return self(self, child); });
+    };
+    EXPECT_TRUE(has_key(has_key, scene_specification())); // a path with a mistyped parent would leave a hole
+}
+
+/// Good scenes that together use every key.
+std::vector<Json> good_scenes() {
+    std::vector<Json> scenes{parsed(example)};
+    Json other = parsed(example);
+    other["time"] = parsed(R"({"end": 1e-5, "step": 1e-9})");
+    other["contact"] = parsed(R"({"separation": "fitted-position", "exponent": 0.6, "law": {"type": "stick"}})");
+    other["method"] = parsed(R"({"transfer": {"scheme": "pic"}})");
+    other["grid"]["cell"] = parsed(R"(["10 um", "10 um"])");
+    scenes.push_back(other);
+    scenes.push_back(parsed(load(example).resolved));
+    other.erase("contact");
+    other.erase("images");
+    scenes.push_back(parsed(load(other.dump()).resolved));
+    return scenes;
+}
+
+bool reader_accepts(const Json& scene) {
+    return check_scene(scene).problems.empty();
+}
+
+using Pointer = Json::json_pointer;
+
+void collect(const Json& value, const Pointer& at, std::vector<Pointer>& pointers) {
+    pointers.push_back(at);
+    if (value.is_object())
+        for (const auto& [key, member] : value.items()) collect(member, at / key, pointers);
+    if (value.is_array())
+        for (std::size_t i = 0; i < value.size(); ++i) collect(value[i], at / i, pointers);
+}
+
+std::vector<Pointer> all_pointers(const Json& scene) {
+    std::vector<Pointer> pointers;
+    collect(scene, Pointer(), pointers);
+    return pointers;
+}
+
+const std::vector<Json> wrong_values{nullptr,
+                                     true,
+                                     false,
+                                     3,
+                                     -1,
+                                     0,
+                                     0.5,
+                                     1000,
+                                     "text",
+                                     "",
+                                     "#00ff00",
+                                     "none",
+                                     "xpic",
+                                     Json::array(),
+                                     Json::array({1, 2}),
+                                     Json::array({"a", "b"}),
+                                     Json::object()};
+
+/// One random change: a value replaced, a key removed, an unknown or a misplaced key added.
+void mutate(Json& scene, std::mt19937& random) {
+    const std::vector<Pointer> pointers = all_pointers(scene);
+    const auto pick = [&random](const auto& list) { return list[random() % list.size()]; };
+    const Pointer at = pick(pointers);
+    Json& value = scene[at];
+    static const std::vector<std::string> extra{"unknown",  "step",         "cfl",  "order", "offset",
+                                                "exponent", "coefficient",  "disk", "size",  "rgb",
+                                                "velocity", "bulk_modulus", "wall", "later"};
+    if (random() % 2 == 0 && value.is_object()) {
+        value[pick(extra)] = pick(wrong_values);
+    } else if (random() % 2 == 0 && !at.empty() && scene[at.parent_pointer()].is_object()) {
+        scene[at.parent_pointer()].erase(at.back());
+    } else {
+        value = pick(wrong_values);
+    }
+}
+
+TEST(SceneSchema, AgreesWithTheReaderOnGoodScenes) {
+    const Json schema = parsed(scene_schema());
+    for (const Json& scene : good_scenes()) {
+        EXPECT_TRUE(conforms(scene, schema));
+        EXPECT_TRUE(reader_accepts(scene));
+    }
+}
+
+TEST(SceneSchema, AgreesWithTheReaderOnEverySingleChange) {
+    const Json schema = parsed(scene_schema());
+    int refused = 0;
+    for (const Json& good : good_scenes()) {
+        for (const Pointer& at : all_pointers(good)) {
+            std::vector<Json> scenes;
+            for (const Json& wrong : wrong_values) {
+                scenes.push_back(good);
+                scenes.back()[at] = wrong;
+            }
+            if (good[at].is_object()) {
+                scenes.push_back(good);
+                scenes.back()[at]["unknown"] = 1;
+            }
+            if (!at.empty()) {
+                scenes.push_back(good);
+                Json& parent = scenes.back()[at.parent_pointer()];
+                if (parent.is_object()) parent.erase(at.back());
+            }
+            for (const Json& scene : scenes) {
+                EXPECT_EQ(conforms(scene, schema), reader_accepts(scene)) << at.to_string() << "\n"
+                                                                          << in_lines(check_scene(scene).problems);
+                refused += reader_accepts(scene) ? 0 : 1;
+            }
+        }
+    }
+    EXPECT_GT(refused, 1000);
+}
+
+TEST(SceneSchema, AgreesWithTheReaderOnRandomChanges) {
+    const Json schema = parsed(scene_schema());
+    const std::vector<Json> scenes = good_scenes();
+    std::mt19937 random(2024); // NOLINT: the same scenes in every run
+    int accepted = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Json scene = scenes[random() % scenes.size()];
+        for (unsigned changes = 1 + random() % 3; changes > 0; --changes) mutate(scene, random);
+        ASSERT_EQ(conforms(scene, schema), reader_accepts(scene))
+            << scene.dump(2) << in_lines(check_scene(scene).problems);
+        accepted += reader_accepts(scene) ? 1 : 0;
+    }
+    EXPECT_GT(accepted, 50);
+    EXPECT_LT(accepted, 2500);
+}
+
+TEST(SceneReference, NamesEveryKey) {
+    const std::string page = scene_reference();
+    for (const Key& key : scene_keys()) {
+        const std::string name = key.path.substr(key.path.rfind('/') + 1);
+        if (key.path.empty() || name == "*" || name == "#" || key.kind == Kind::later) continue;
+        EXPECT_THAT(page, testing::HasSubstr("| `" + name + "` |")) << key.path;
+        EXPECT_THAT(page, testing::HasSubstr(key.meaning)) << key.path;
+        for (const std::string& word : key.later_words) EXPECT_THAT(page, testing::HasSubstr("`" + word + "`"));
+    }
+    EXPECT_THAT(page, testing::HasSubstr("## `/materials/NAME`"));
+    EXPECT_THAT(page, testing::HasSubstr("| `density` | kg/m^3, greater than 0 | **required** |"));
+}
+
+} // namespace
+} // namespace abut::scene_test

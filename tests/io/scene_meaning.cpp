@@ -1,0 +1,128 @@
+/// Problems that only the meaning of a scene shows: names, sizes and places.
+#include "scene_support.h"
+
+#include "scene/suggest.h"
+#include "scene/validate.h"
+
+namespace abut::scene_test {
+namespace {
+
+TEST(Suggest, EditDistance) {
+    EXPECT_EQ(edit_distance("steel", "steel"), 0U);
+    EXPECT_EQ(edit_distance("steal", "steel"), 1U);
+    EXPECT_EQ(edit_distance("setel", "steel"), 1U); // a swap
+    EXPECT_EQ(edit_distance("STEEL", "steel"), 0U);
+    EXPECT_EQ(edit_distance("", "abc"), 3U);
+    EXPECT_EQ(edit_distance("abc", ""), 3U);
+    EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
+}
+
+TEST(Suggest, Nearest) {
+    EXPECT_EQ(nearest("steal", {"aluminium", "steel"}), "steel");
+    EXPECT_EQ(nearest("particle", {"none", "particle-edges"}), "particle-edges");
+    EXPECT_EQ(nearest("copper", {"aluminium", "steel"}), std::nullopt);
+    EXPECT_EQ(nearest("a", {"b"}), std::nullopt);
+    EXPECT_EQ(did_you_mean("steal", {"steel"}), "; did you mean \"steel\"?");
+    EXPECT_EQ(quoted_list({"a", "b", "c"}), "\"a\", \"b\" or \"c\"");
+    EXPECT_EQ(pointer_token("a/b~c"), "a~1b~0c");
+}
+
+TEST(SceneMeaning, Names) {
+    expect_problems({
+        {"/bodies/2/material", R"("steal")", "/bodies/2/material", "no material \"steal\"; did you mean \"steel\"?"},
+        {"/bodies/2/material", R"("wood")", "/bodies/2/material",
+         "no material \"wood\"; there are: \"aluminium\" and \"steel\""},
+        {"/images/0/legend/1/material", R"("steal")", "/images/0/legend/1/material", "did you mean \"steel\"?"},
+        {"/bodies/2/name", R"("ball")", "/bodies/2/name", "\"ball\" is already the name of /bodies/1"},
+        {"/images/0/legend/1/body", R"("egg")", "/images/0/legend/1/body", "\"egg\" is already the name of /bodies/2"},
+        {"/images/1/legend/0/material", R"("steel")", "/images/1/legend/0/material",
+         "the material differs from that of the same body \"grain-01\" at /images/0/legend/0"},
+        {"/images/1/legend/0/velocity", "[1, 0]", "/images/1/legend/0/velocity", "the velocity differs"},
+        {"/boundaries/1/name", R"("floor")", "/boundaries/1/name", "\"floor\" is already the name of /boundaries/0"},
+        {"/contact/laws/0/bodies/1", R"("bell")", "/contact/laws/0/bodies/1",
+         "no body \"bell\"; did you mean \"ball\"?"},
+        {"/contact/laws/0/bodies/1", R"("block")", "/contact/laws/0/bodies", "a pair is two bodies"},
+        {"/contact/laws/1", R"({"bodies": ["ball", "block"], "law": {"type": "stick"}})", "/contact/laws/1/bodies",
+         "already given at /contact/laws/0"},
+    });
+    EXPECT_THAT(problems_of(changed("/contact/laws/0/bodies/1", R"("grain-02")")), testing::IsEmpty());
+}
+
+TEST(SceneMeaning, GridAndTime) {
+    EXPECT_THAT(
+        problems_of(changed("/grid/upper/0", "0")),
+        testing::Contains(IsProblem("/grid/upper", "must lie above \"lower\" along x: it is at 0 m, lower at 0 m")));
+    EXPECT_THAT(
+        problems_of(changed("/grid/cell", R"(["1.5 mm", "1 um"])")),
+        testing::Contains(IsProblem("/grid/cell", "larger than the grid along x: a cell is 0.0015 m, the grid")));
+    Json empty = parsed(changed("/contact/laws", "[]"));
+    empty.erase("bodies");
+    empty.erase("images");
+    EXPECT_THAT(problems_of(empty.dump()), testing::ElementsAre(IsProblem("/bodies", "the scene is empty")));
+}
+
+TEST(SceneMeaning, Bodies) {
+    expect_problems({
+        {"/bodies/0/box/upper/0", R"("1.1 mm")", "/bodies/0/box", "up to x = 0.0011 m, the grid ends at 0.001 m"},
+        {"/bodies/0/box/lower/1", R"("-1 um")", "/bodies/0/box", "down to y = -1e-06 m, the grid begins at 0 m"},
+        {"/bodies/0/box/upper/0", "0", "/bodies/0/box/upper", "must lie above \"lower\" along x"},
+        {"/bodies/0/box/upper/0", R"("14 um")", "/bodies/0/box",
+         "cell larger than the body: its edge along x is 1.4e-05 m, a cell 1.43e-05 m"},
+        {"/bodies/1/disk/center/0", R"("0.2 mm")", "/bodies/1/disk", "down to x = -5e-05 m"},
+        {"/bodies/1/disk/radius", R"("7 um")", "/bodies/1/disk", "its diameter is 1.4e-05 m"},
+        {"/bodies/2/ellipse/semi_axes/1", R"("7 um")", "/bodies/2/ellipse", "its smaller diameter is 1.4e-05 m"},
+        // The half width of the egg is sqrt((0.2 cos 30°)² + (0.1 sin 30°)²) = 0.180278 mm.
+        {"/bodies/2/ellipse/center/0", R"("0.18 mm")", "/bodies/2/ellipse", "down to x = -2.77564e-07 m"},
+    });
+    EXPECT_THAT(problems_of(changed("/bodies/2/ellipse/center/0", R"("0.1803 mm")")), testing::IsEmpty());
+}
+
+TEST(SceneMeaning, ImagesWallsAndMaterials) {
+    expect_problems({
+        {"/images/1/size/1", R"("0.6 mm")", "/images/1", "up to y = 0.0021 m"},
+        {"/boundaries/0/wall/position", R"("-1 mm")", "/boundaries/0/wall/position",
+         "outside the grid at -0.001 m; the grid reaches from 0 m to 0.002 m"},
+        {"/boundaries/1/wall/velocity", R"("1 m/s")", "/boundaries/1/wall/velocity",
+         "moves out of the grid at t = 0 s"},
+        {"/boundaries/1/wall/velocity", R"("-200 m/s")", "/boundaries/1/wall/velocity",
+         "moves out of the grid at t = 1e-05 s"},
+        {"/materials/steel/poissons_ratio", "-0.99999999999999999", "/materials/steel/poissons_ratio",
+         "between -1 and 0.5"},
+        {"/materials/steel",
+         R"({"model": "neo-hookean", "density": 1, "bulk_modulus": "1 GPa", "youngs_modulus": "10 GPa"})",
+         "/materials/steel", "these elastic constants give"},
+    });
+}
+
+TEST(SceneMeaning, MeaningProblemsComeTogether) {
+    Json scene = parsed(example);
+    scene["bodies"][0]["material"] = "steal";
+    scene["bodies"][1]["disk"]["radius"] = 1;
+    scene["materials"]["steel"] =
+        parsed(R"({"model": "neo-hookean", "density": 1, "bulk_modulus": 1, "lame_lambda": 2})");
+    EXPECT_THAT(problems_of(scene.dump()),
+                testing::IsSupersetOf({IsProblem("/materials/steel", "these elastic constants give"),
+                                       IsProblem("/bodies/1/disk", "reaches out of the grid"),
+                                       IsProblem("/bodies/0/material", "steal")}));
+}
+
+TEST(SceneMeaning, ScenesThatNoFileMade) {
+    Scene scene = load(example).scene;
+    EXPECT_THAT(validate(scene), testing::IsEmpty());
+    scene.time.end = std::nan("");
+    scene.time.cfl = 2;
+    scene.materials[0].density = 0;
+    scene.bodies[1].shape = Disk{{0.5e-3, 1e-3, 0}, 0};
+    scene.boundaries[0].wall.axis = 2;
+    scene.boundaries.pop_back();
+    scene.grid.cell = {0, 1e-5, 0};
+    EXPECT_THAT(validate(scene),
+                testing::UnorderedElementsAre(
+                    IsProblem("/time/end", "greater than 0"), IsProblem("/time/cfl", "at most 1"),
+                    IsProblem("/materials/aluminium/density", "greater than 0"),
+                    IsProblem("/bodies/1/disk/radius", "greater than 0"),
+                    IsProblem("/boundaries/0/wall/axis", "x and y"), IsProblem("/grid/cell", "along x")));
+}
+
+} // namespace
+} // namespace abut::scene_test

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything with warnings as errors and runs the tests.
+# The exit status says whether all is well.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source .ci/phase.sh
+
+usage() {
+    cat <<'END'
+usage: tests/run.sh [--full] [--asan] [--tidy]
+
+Installs the packages that are missing (Debian 12), checks the format of the sources, builds abut and its tests in
+build/release with warnings as errors, and runs the tests (all but the published cases at full size).
+
+  --full  also the published cases at full size (hours)
+  --asan  instead: the tests under the address and undefined-behaviour sanitizers, in build/asan
+  --tidy  instead: clang-tidy over the libraries and the program, in build/tidy; installs clang-tidy
+  --help  this text
+END
+}
+
+full=no
+preset=release
+for argument in "$@"; do
+    case $argument in
+        --full) full=yes ;;
+        --asan) preset=asan ;;
+        --tidy) preset=tidy ;;
+        -h | --help)
+            usage
+            exit 0
+            ;;
+        *)
+            echo "run.sh: unknown argument \"$argument\"" >&2
+            usage >&2
+            exit 2
+            ;;
+    esac
+done
+
+build() { # PRESET CMAKE_OPTIONS...
+    phase "Configuring build/$1" cmake --preset "$@"
+    phase "Building build/$1" cmake --build --preset "$1" -j"$(nproc)"
+}
+
+# Other versions of clang-format than Debian 12's break lines differently.
+format() {
+    if ! clang-format --version 2>/dev/null | grep -q 'version 14\.'; then
+        echo "skipped: no clang-format 14 here"
+        return
+    fi
+    find src geometry io tests '(' -name '*.h' -o -name '*.cpp' ')' -print0 |
+        xargs -0 clang-format --dry-run -Werror --style=file
+}
+
+if [[ $preset == tidy ]]; then
+    phase "Packages" bash .ci/setup.sh clang-tidy libomp-dev # clang's own omp.h
+    build tidy
+    exit
+fi
+
+phase "Packages" bash .ci/setup.sh
+badly_formatted=no
+format_or_note() { format || badly_formatted=yes; }
+phase "Format of the sources" format_or_note
+build "$preset" -DABUT_WERROR=ON -DABUT_TESTS=ON
+if [[ $full == yes ]]; then # these share no cores
+    phase "Published cases at full size" ctest --preset "$preset" --output-on-failure -L full --no-tests=ignore
+fi
+# One thread a test, as many tests at a time as there are cores: tests of threading choose their own numbers.
+printf '\n== Tests\n'
+OMP_NUM_THREADS=1 ctest --preset "$preset" --output-on-failure -LE full -j"$(nproc)"
+if [[ $badly_formatted == yes ]]; then
+    echo "run.sh: some sources are not formatted, see above; clang-format -i FILE corrects them" >&2
+    exit 1
+fi
