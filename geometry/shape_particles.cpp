@@ -12,6 +12,7 @@ namespace {
 struct Lattice {
     Vector lower{}; ///< an outer corner of the lattice, not a centre [m]
     Vector edge{};  ///< of a particle [m]
+    Vector cell{};  ///< of the grid [m]
 
     double centre(std::size_t axis, long place) const {
         return lower[axis] + (static_cast<double>(place) + 0.5) * edge[axis];
@@ -20,15 +21,17 @@ struct Lattice {
 
 Lattice particle_lattice(const GridSpec& grid, int particles_per_cell) {
     const Vector cell = effective_cell(grid);
-    return {grid.lower, {cell[0] / particles_per_cell, cell[1] / particles_per_cell, 0}};
+    return {grid.lower, {cell[0] / particles_per_cell, cell[1] / particles_per_cell, 0}, cell};
 }
 
 ShapeParticles fill(const Box& box, const Lattice& grid_lattice) {
-    Lattice lattice{box.lower, {}};
+    Lattice lattice{box.lower, {}, {}};
     std::array<long, 2> count{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double edge = box.upper[axis] - box.lower[axis];
-        count[axis] = std::max(1L, std::lround(edge / grid_lattice.edge[axis]));
+        // ugimp needs particles that are no wider than a cell, also where one particle a cell is rounded down.
+        const long fewest = std::max(1L, static_cast<long>(std::ceil(edge / grid_lattice.cell[axis] - 1e-9)));
+        count[axis] = std::max(fewest, std::lround(edge / grid_lattice.edge[axis]));
         lattice.edge[axis] = edge / static_cast<double>(count[axis]);
     }
     ShapeParticles particles;

@@ -16,9 +16,10 @@ struct ShapeParticles {
 };
 
 /// Fills a shape with particles of about cell / particles_per_cell.
-/// Box: max(1, round(edge * particles_per_cell / cell)) particles per axis, from its own lower corner, so that its area
-/// is exact. Disk and ellipse: the places of the grid's particle lattice (anchored at the grid's lower corner) whose
-/// centres lie inside or on the outline; possibly none. Also places outside the grid.
+/// Box: round(edge * particles_per_cell / cell) particles per axis, but so many that none is wider than a cell, from
+/// its own lower corner, so that its area is exact. Disk and ellipse: the places of the grid's particle lattice
+/// (anchored at the grid's lower corner) whose centres lie inside or on the outline; possibly none. Also places outside
+/// the grid.
 ShapeParticles shape_particles(const std::variant<Box, Disk, Ellipse>& shape, int particles_per_cell,
                                const GridSpec& grid);
 

@@ -29,7 +29,7 @@ struct Style {
 RenderOptions with_preset(RenderOptions options) {
     if (options.preset.empty()) return options;
     if (std::find(render_presets().begin(), render_presets().end(), options.preset) == render_presets().end())
-        throw std::runtime_error(no_such("preset", options.preset, render_presets()));
+        throw RenderRequestError(no_such("preset", options.preset, render_presets()));
     options.array = options.preset == "pressure"    ? "pressure"
                     : options.preset == "von-mises" ? "von_mises_stress"
                     : options.preset == "velocity"  ? "velocity"
@@ -45,7 +45,7 @@ std::vector<int> chosen_frames(const RenderOptions& options, const PvdSeries& se
     if (options.frames) {
         for (const int frame : *options.frames)
             if (frame < 0 || frame >= count)
-                throw std::runtime_error(
+                throw RenderRequestError(
                     fmt::format("{}: no frame {}; there are 0 to {}", series.path.string(), frame, count - 1));
         return *options.frames;
     }
@@ -95,10 +95,10 @@ Style make_style(const SeriesSource& source, const RenderOptions& options, const
     const PointFrame first = source.particles(frames.front(), {});
     const Array* array = find_array(first, options.array);
     if (!array)
-        throw std::runtime_error(
+        throw RenderRequestError(
             fmt::format("{}: {}", source.series.path.string(), no_such("array", options.array, array_names(first))));
     if (options.component >= array->components)
-        throw std::runtime_error(fmt::format("{}: array \"{}\" has components 0 to {}, not {}",
+        throw RenderRequestError(fmt::format("{}: array \"{}\" has components 0 to {}, not {}",
                                              source.series.path.string(), options.array, array->components - 1,
                                              options.component));
 
@@ -206,7 +206,7 @@ std::vector<std::filesystem::path> render_series(const std::filesystem::path& re
     const RenderOptions options = with_preset(given);
     const auto unfit = [](int size) { return size < 100 || size > 8192; };
     if (unfit(options.width) || (options.height != 0 && unfit(options.height)))
-        throw std::runtime_error("the width and height of pictures must be from 100 to 8192 pixels");
+        throw RenderRequestError("the width and height of pictures must be from 100 to 8192 pixels");
     const SeriesSource source = open_series(result_dir, options.normals);
     const std::vector<int> frames = chosen_frames(options, source.series);
     if (frames.empty()) return {};

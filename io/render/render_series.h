@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,9 +26,15 @@ struct RenderOptions {
     std::filesystem::path output;           ///< folder of the pictures; default RESULTS/frames/<preset or array>
 };
 
+/// What is asked for does not exist or cannot be: a folder without results, an unknown array, preset or frame, a size.
+class RenderRequestError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// Draws the frames of `result_dir`/particles.pvd as `frame_00000.png`, …, numbered as in the series; view and colours
-/// are the same in all. Returns the files written. Throws std::runtime_error if the folder, the series, a file, the
-/// array, the preset or a frame is missing or broken, naming it and what there is.
+/// are the same in all. Returns the files written. Throws RenderRequestError if the folder, the series, the array, the
+/// preset or a frame is not there, naming it and what there is, and std::runtime_error for files that are broken.
 std::vector<std::filesystem::path> render_series(const std::filesystem::path& result_dir, const RenderOptions& options);
 
 /// The names that RenderOptions::preset takes.

@@ -19,9 +19,11 @@ constexpr std::array<std::string_view, 3> series{"particles", "grid", "contact"}
 constexpr std::array<std::string_view, 5> single_files{"history.csv", "bodies.csv", "timing.json", "scene.json",
                                                        "checkpoint.h5"};
 
-/// particles_00012.vtu of "particles", or what a killed run left of writing it (.particles_00012.vtu.tmp)
+/// particles_00012.vtu of "particles", or what a killed run left of writing it (.particles_00012.vtu.tmp); also the
+/// state of a run that went wrong, failed.vtu
 bool is_frame(std::string name, std::string_view series_name) {
     if (name.starts_with('.') && name.ends_with(".tmp")) name = name.substr(1, name.size() - 5);
+    if (name == "failed.vtu") return true;
     if (!name.starts_with(series_name) || name.size() <= series_name.size() || name[series_name.size()] != '_')
         return false;
     const std::string_view rest = std::string_view(name).substr(series_name.size() + 1);
@@ -81,7 +83,7 @@ void prepare_result_folder(const fs::path& folder, bool overwrite, const std::ve
             throw std::runtime_error(
                 folder.string() +
                 (is_result_folder(folder)
-                     ? ": holds results already; use --overwrite to replace or --resume to continue them"
+                     ? ": holds results already; use --overwrite to replace them"
                      : ": is not empty; name another folder, or use --overwrite to write beside its files"));
         // A folder that cannot be written to is found out now, not after the first hour.
         const fs::path probe = folder / ".abut-write-test";

@@ -72,10 +72,10 @@ std::vector<Key> contact_keys() {
          .meaning = "Contact corrections in a time step; 1 only to show why 2 are needed."},
         {.path = "/contact/three_or_more",
          .kind = Kind::word,
-         .words = {"lumped"},
-         .later_words = {"explicit"},
+         .words = texts(three_or_more_words),
          .otherwise = quoted("lumped"),
-         .meaning = "What happens at nodes that see three or more bodies: `lumped` takes each against all the others."},
+         .meaning = "What happens at nodes that see three or more bodies: `lumped` takes each against all the others; "
+                    "`explicit` solves all touching pairs at once, each with its own normal."},
         {.path = "/contact/law",
          .kind = Kind::object,
          .otherwise = R"({"type": "frictionless"})",

@@ -26,6 +26,8 @@ inline constexpr std::array shape_words{Word{"linear", ShapeKind::linear}, Word{
                                         Word{"cpdi", ShapeKind::cpdi}};
 inline constexpr std::array scheme_words{Word{"flip", TransferScheme::flip}, Word{"pic", TransferScheme::pic},
                                          Word{"xpic", TransferScheme::xpic}};
+inline constexpr std::array three_or_more_words{Word{"lumped", ThreeOrMore::lumped},
+                                                Word{"explicit", ThreeOrMore::explicit_}};
 inline constexpr std::array position_words{Word{"end-velocity", PositionUpdate::end_velocity},
                                            Word{"start-velocity", PositionUpdate::start_velocity}};
 inline constexpr std::array stress_update_words{Word{"usf", StressUpdate::usf}, Word{"usl", StressUpdate::usl}};

@@ -5,6 +5,7 @@
 #include "io/scene/read_scene.h"
 #include "plan/fields.h"
 #include "results/frames.h"
+#include "scene/problem.h"
 #include "step/step.h"
 
 #include <fmt/format.h>
@@ -25,10 +26,30 @@ std::size_t count_of(const State<2>& state, const std::string& place) {
     return place == "slot" ? state.fields.size() : state.contact.groups.size();
 }
 
+/// The scene's fields, and the largest of all where the shape has one: stencils kept for a step.
+std::vector<Field> fields_with_stencils(const State<2>& state) {
+    std::vector<Field> fields = fields_of<2>(state.effects);
+    const StencilStore<2>& store = state.stencil_store;
+    const std::size_t entry = sizeof(store.slot[0]) + sizeof(store.S[0]) + 2 * sizeof(store.G[0][0]);
+    if (const std::size_t particles = state.particles.size(); !store.slot.empty())
+        fields.push_back({"stencil: nodes, shape functions, gradients", "particle", "kept for all sweeps of a step",
+                          sizeof(store.first[0]) + store.slot.size() * entry / particles});
+    return fields;
+}
+
 } // namespace
+
+void check_first_step(const State<2>& state, const std::filesystem::path& scene) {
+    const std::optional<double>& step = state.scene.time.step;
+    const double stable = stable_step(state);
+    if (!step || *step <= stable) return;
+    throw SceneError(scene.string(), {{"/time/step", fmt::format("{} is above the stable step, {} (cell / wave speed)",
+                                                                 format_time(*step), format_time(stable))}});
+}
 
 int check_command(const SceneOptions& options) {
     State<2> state = load_state(options);
+    check_first_step(state, options.scene);
     look(state);
     const double dt = next_step(state, state.scene.time.end);
 
@@ -48,7 +69,7 @@ int check_command(const SceneOptions& options) {
 
     fmt::print("\nFields:\n");
     double total = 0;
-    for (const Field& field : fields_of<2>(state.effects)) {
+    for (const Field& field : fields_with_stencils(state)) {
         const double bytes = static_cast<double>(field.bytes_each * count_of(state, field.place));
         total += bytes;
         fmt::print("  {:<36} {:>4} bytes a {:<13} {:>9.2f} MB  {}\n", field.name, field.bytes_each, field.place,

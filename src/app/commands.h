@@ -14,6 +14,9 @@
 
 namespace abut {
 
+template <int D>
+struct State;
+
 /// The command line is wrong in a way that CLI11 can't see.
 class UsageError : public std::runtime_error {
 public:
@@ -33,6 +36,9 @@ struct RunOptions {
     bool overwrite = false;
     bool quiet = false;
 };
+
+/// Refuses a scene whose fixed time step is above the stable one of its first state: SceneError at /time/step.
+void check_first_step(const State<2>& state, const std::filesystem::path& scene);
 
 int run_command(const RunOptions& options);
 int check_command(const SceneOptions& options);

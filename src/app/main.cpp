@@ -4,8 +4,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <functional>
+#include <stdexcept>
+#include <string>
 
 namespace {
 
@@ -27,7 +31,7 @@ int run_program(int argc, char** argv) {
     CLI::App* run = program.add_subcommand("run", "Runs a scene");
     add_scene(*run, run_options.scene);
     run->add_option("-o,--output", run_options.output, "result folder; default NAME-results");
-    run->add_option("--threads", run_options.threads, "threads; default all cores")->check(CLI::PositiveNumber);
+    run->add_option("--threads", run_options.threads, "threads; default all cores")->check(CLI::Range(1, 1024));
     run->add_option("--until", run_options.until, "stop at this time, e.g. \"3 us\"");
     run->add_flag("--overwrite", run_options.overwrite, "replace the results of an earlier run");
     run->add_flag("--quiet", run_options.quiet, "no progress");
@@ -57,7 +61,7 @@ int run_program(int argc, char** argv) {
     render->add_option("--array", render_options.array, "particle array that colours the particles");
     render->add_option("--component", render_options.component, "of the array; default its magnitude");
     render->add_flag("--normals", render_options.normals, "arrows at the contact pairs in contact");
-    render->add_option("--width", render_options.width, "pixels")->check(CLI::Range(100, 10000));
+    render->add_option("--width", render_options.width, "pixels")->check(CLI::Range(100, 8192));
     render->add_option("--range", range, "LOW HIGH of the colours, SI units")->expected(2);
     render->add_option("--frames", frames, "numbers of the frames to draw; default all");
     render->add_flag("--last", render_options.last_only, "only the last frame");
@@ -72,7 +76,7 @@ int run_program(int argc, char** argv) {
     std::filesystem::path picture;
     std::string material = "aluminium";
     CLI::App* draw = program.add_subcommand("draw-ellipses", "Draws a random dense packing of ellipses as a bitmap");
-    draw->add_option("FILE", picture, "image file (.png, .bmp, .tif, .jpg by its name)")->required();
+    draw->add_option("FILE", picture, "image file, .png or .bmp by its name")->required();
     draw->add_option("--width", drawing.width, "pixels");
     draw->add_option("--height", drawing.height, "pixels");
     draw->add_option("--bodies", drawing.bodies, "number of ellipses");
@@ -99,7 +103,10 @@ int run_program(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : 2;
     }
-    return action();
+    const int exit_code = action();
+    if (std::fflush(stdout) != 0)
+        throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
+    return exit_code;
 }
 
 } // namespace

@@ -4,20 +4,29 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 namespace abut {
 
 int render_command(const std::filesystem::path& results, const RenderOptions& options) {
-    const auto files = render_series(results, options);
+    std::vector<std::filesystem::path> files;
+    try {
+        files = render_series(results, options);
+    } catch (const RenderRequestError& error) {
+        throw UsageError(error.what());
+    }
     fmt::print("{} pictures; the last: {}\n", files.size(), files.back().string());
     return 0;
 }
 
 int draw_ellipses_command(const std::filesystem::path& output, const EllipseDrawing& drawing,
                           const std::string& material) {
+    if (output.extension() != ".png" && output.extension() != ".bmp")
+        throw UsageError(fmt::format("\"{}\": the name of the picture must end in .png or .bmp", output.string()));
     DrawnImage drawn;
     try {
         drawn = draw_ellipses(drawing);
-    } catch (const std::invalid_argument& error) {
+    } catch (const std::exception& error) { // out of range, or more than there is room for
         throw UsageError(error.what());
     }
     write_image(drawn.image, output);
@@ -27,12 +36,12 @@ int draw_ellipses_command(const std::filesystem::path& output, const EllipseDraw
 }
 
 int schema_command() {
-    fmt::print("{}\n", scene_schema());
+    fmt::print("{}", scene_schema());
     return 0;
 }
 
 int reference_command() {
-    fmt::print("{}\n", scene_reference());
+    fmt::print("{}", scene_reference());
     return 0;
 }
 

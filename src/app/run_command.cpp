@@ -21,8 +21,9 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void on_signal(int) {
+void on_signal(int signal) {
     interrupted = 1;
+    std::signal(signal, SIG_DFL); // a second one ends the program at once
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -62,6 +63,17 @@ double end_time(const RunOptions& options, const Scene& scene) {
     return std::min(until, scene.time.end);
 }
 
+/// An unusable result folder is a mistake on the command line, unlike a disk that fills up during the run.
+void make_ready(const std::filesystem::path& folder, const RunOptions& options, const Scene& scene) {
+    std::vector<std::filesystem::path> inputs = {options.scene.scene};
+    for (const ImageSpec& image : scene.images) inputs.push_back(image.file);
+    try {
+        prepare_result_folder(folder, options.overwrite, inputs);
+    } catch (const std::runtime_error& error) {
+        throw UsageError(error.what());
+    }
+}
+
 } // namespace
 
 int run_command(const RunOptions& options) {
@@ -74,14 +86,13 @@ int run_command(const RunOptions& options) {
 
     std::filesystem::path folder = options.output;
     if (folder.empty()) folder = options.scene.scene.stem().string() + "-results";
-    std::vector<std::filesystem::path> inputs = {options.scene.scene};
-    for (const ImageSpec& image : loaded.scene.images) inputs.push_back(image.file);
     State<2> state = make_state<2>(loaded.scene, model);
-    next_step(state, end); // a fixed step above the stable one shows before anything is written
-    prepare_result_folder(folder, options.overwrite, inputs);
+    check_first_step(state, options.scene.scene);
+    make_ready(folder, options, loaded.scene);
 
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
+    std::signal(SIGXFSZ, SIG_IGN); // a file over the limit (ulimit -f) is then reported as a write that failed
     std::vector<Task<2>> tasks = step_tasks<2>(loaded.scene);
     RunFiles files(folder, loaded.resolved, state);
     Progress progress(options.quiet ? ProgressMode::quiet : ProgressMode::automatic, end);
@@ -110,7 +121,12 @@ int run_command(const RunOptions& options) {
         while (state.time < end && !interrupted) {
             const auto step_start = std::chrono::steady_clock::now();
             state.dt = next_step(state, end);
-            if (state.time + state.dt == state.time) break;
+            if (state.time + state.dt == state.time) {
+                if (end - state.time <= 1e-12 * end) break; // what is left of the run is round-off
+                throw RunError(fmt::format("step {}, time {:g} s: the time step has shrunk to {:g} s, which no longer "
+                                           "advances the time; the run has diverged",
+                                           state.step, state.time, state.dt));
+            }
             advance(state, tasks);
             timing.solver_seconds += seconds_since(step_start);
             progress.update(state.step, state.time);
@@ -128,7 +144,7 @@ int run_command(const RunOptions& options) {
     if (!frame_written) write_frames();
     progress.finish();
     finish();
-    if (interrupted) {
+    if (interrupted && state.time < end) {
         fmt::print(stderr, "interrupted at {}; the state is written in {}\n", format_time(state.time), folder.string());
         return 130;
     }

@@ -26,15 +26,14 @@ template <int D>
 struct ContactGroup {
     Index<D> node;
     std::int32_t first = 0, last = 0;             ///< in Contact::active
-    std::int32_t first_point = 0, last_point = 0; ///< one point for two active bodies, one for each of more
-
-    bool lumped() const { return last - first > 2; }
+    std::int32_t first_point = 0, last_point = 0; ///< one for each pair, or for each body if lumped
 };
 
 /// What contact keeps from the search to the two passes of a step. Scenes without contact keep it empty.
 template <int D>
 struct Contact {
     LawTable laws;
+    ThreeOrMore three_or_more = ThreeOrMore::lumped;
     /// Bodies with no larger share of a node's mass than this take no part in contact there (notes 4.2.3 have 1e-5). 0
     /// by default: a body under pressure whose domain just reaches a new node has little mass there, but the
     /// acceleration f/m of that little mass grows without bound as it vanishes; without contact it tears the body's

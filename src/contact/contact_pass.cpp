@@ -1,14 +1,15 @@
 #include "contact/contact_pass.h"
 
+#include <algorithm>
+
 namespace abut {
 
 namespace {
 
-/// Mass and velocity of the other side of a point: body b, or all others lumped (contact paper Eq. 50).
+/// Mass and velocity of all bodies of a group but body a, lumped (contact paper Eq. 50).
 template <int D>
 Pack other_side(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
                 const std::vector<Pack>& velocity) {
-    if (point.slot_b >= 0) return velocity[point.slot_b];
     double mass = 0;
     Pack momentum{};
     for (std::int32_t i = group.first; i < group.last; ++i) {
@@ -22,39 +23,82 @@ Pack other_side(const State<D>& state, const ContactGroup<D>& group, const Conta
     return result;
 }
 
-/// Δp' of body a.
-/// \param carry time by which the separation is carried forward with the velocities (notes 3.56) [s]
+double reduced_mass(const Pack& a, const Pack& b) { return a[0] * b[0] / (a[0] + b[0]); }
+
 template <int D>
-Vec<D> point_impulse(const State<D>& state, const ContactPoint<D>& point, const Pack& a, const Pack& b, double carry,
-                     bool& touching) {
-    const double reduced_mass = a[0] * b[0] / (a[0] + b[0]);
-    const Vec<D> approach = vector_of<D>(b - a);
-    const double separation = point.separation + approach.dot(point.normal) * carry;
-    touching = separation < 0;
-    return law_impulse<D>(state.contact.laws.between(point.body_a, point.body_b), reduced_mass * approach, point.normal,
-                          touching);
+void apply(std::int32_t slot, const Vec<D>& impulse, std::vector<Pack>& velocity, std::vector<Pack>* change) {
+    const Pack delta = pack<D>(0, impulse / velocity[slot][0]);
+    velocity[slot] += delta;
+    if (change) (*change)[slot] += delta;
 }
 
-/// Applies the laws at every point of a group to `velocity`. All points see the velocities as they were before.
+/// Δp' of every body of a group against the others lumped, each with the velocities as they were before.
+template <int D>
+void correct_lumped(State<D>& state, const ContactGroup<D>& group, double carry, std::vector<Pack>& velocity,
+                    std::vector<Pack>* change) {
+    Contact<D>& contact = state.contact;
+    for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+        ContactPoint<D>& point = contact.points[i];
+        const Pack a = velocity[point.slot_a];
+        const Pack b = other_side(state, group, point, velocity);
+        const Vec<D> approach = vector_of<D>(b - a);
+        point.touching = point.separation + approach.dot(point.normal) * carry < 0;
+        point.impulse = law_impulse<D>(contact.laws.between(point.body_a, point.body_b),
+                                       reduced_mass(a, b) * approach, point.normal, point.touching);
+    }
+    for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+        const ContactPoint<D>& point = contact.points[i];
+        apply<D>(point.slot_a, point.impulse, velocity, change);
+    }
+}
+
+/// Δp' of every pair of a group: each pair's law is satisfied in turn, with what the other pairs do at that moment,
+/// until nothing changes (Gauss and Seidel). A single pair, and two bodies with a third between them that don't touch
+/// each other, are the cases with an explicit solution (contact paper §3.4); more touching pairs are solved alike.
+/// Momentum is conserved pair by pair.
+template <int D>
+void correct_pairs(State<D>& state, const ContactGroup<D>& group, double carry, std::vector<Pack>& velocity,
+                   std::vector<Pack>* change) {
+    Contact<D>& contact = state.contact;
+    double scale = 0;
+    for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+        ContactPoint<D>& point = contact.points[i];
+        const Vec<D> approach = vector_of<D>(velocity[point.slot_b] - velocity[point.slot_a]);
+        point.touching = point.separation + approach.dot(point.normal) * carry < 0;
+        point.impulse = Vec<D>::Zero();
+        scale = std::max(scale, approach.norm());
+    }
+    constexpr int most_sweeps = 50;
+    const int sweeps = group.last_point - group.first_point > 1 ? most_sweeps : 1;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        double largest = 0;
+        for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+            ContactPoint<D>& point = contact.points[i];
+            const Pack a = velocity[point.slot_a];
+            const Pack b = velocity[point.slot_b];
+            const double mass = reduced_mass(a, b);
+            // What would stop the pair if the pair's own impulse had not been given yet.
+            const Vec<D> stick = point.impulse + mass * vector_of<D>(b - a);
+            const Vec<D> impulse = law_impulse<D>(contact.laws.between(point.body_a, point.body_b), stick, point.normal,
+                                                  point.touching);
+            const Vec<D> more = impulse - point.impulse;
+            if (more.isZero(0)) continue;
+            point.impulse = impulse;
+            apply<D>(point.slot_a, more, velocity, change);
+            apply<D>(point.slot_b, -more, velocity, change);
+            largest = std::max(largest, more.norm() / mass);
+        }
+        if (largest <= 1e-12 * scale) break;
+    }
+}
+
 template <int D>
 void correct_group(State<D>& state, const ContactGroup<D>& group, double carry, std::vector<Pack>& velocity,
                    std::vector<Pack>* change) {
-    const auto apply = [&](std::int32_t slot, const Vec<D>& impulse) {
-        const Pack delta = pack<D>(0, impulse / velocity[slot][0]);
-        velocity[slot] += delta;
-        if (change) (*change)[slot] += delta;
-    };
-    for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
-        ContactPoint<D>& point = state.contact.points[i];
-        const Pack other = other_side(state, group, point, velocity);
-        point.impulse = point_impulse(state, point, velocity[point.slot_a], other, carry, point.touching);
-    }
-    for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
-        ContactPoint<D>& point = state.contact.points[i];
-        if (point.impulse.isZero(0)) continue;
-        apply(point.slot_a, point.impulse);
-        if (point.slot_b >= 0) apply(point.slot_b, -point.impulse);
-    }
+    if (state.contact.points[group.first_point].slot_b < 0)
+        correct_lumped(state, group, carry, velocity, change);
+    else
+        correct_pairs(state, group, carry, velocity, change);
 }
 
 template <int D>

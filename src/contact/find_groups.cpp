@@ -17,14 +17,30 @@ std::int32_t main_partner(const State<D>& state, const ContactGroup<D>& group, s
 }
 
 template <int D>
-ContactPoint<D> make_point(const State<D>& state, const ContactGroup<D>& group, std::int32_t slot) {
-    const std::int32_t partner = main_partner(state, group, slot);
+ContactPoint<D> make_point(const State<D>& state, std::int32_t slot_a, std::int32_t slot_b, bool lumped) {
     ContactPoint<D> point;
-    point.slot_a = slot;
-    point.slot_b = group.lumped() ? -1 : partner;
-    point.body_a = state.fields.field[slot];
-    point.body_b = state.fields.field[partner];
+    point.slot_a = slot_a;
+    point.slot_b = lumped ? -1 : slot_b;
+    point.body_a = state.fields.field[slot_a];
+    point.body_b = state.fields.field[slot_b];
     return point;
+}
+
+/// One point for each pair of active bodies; if lumped, one for each of three or more bodies.
+template <int D>
+void add_points(State<D>& state, ContactGroup<D>& group) {
+    Contact<D>& contact = state.contact;
+    group.first_point = static_cast<std::int32_t>(contact.points.size());
+    const bool lumped = group.last - group.first > 2 && contact.three_or_more == ThreeOrMore::lumped;
+    for (std::int32_t i = group.first; i < group.last; ++i) {
+        const std::int32_t a = contact.active[i];
+        if (lumped)
+            contact.points.push_back(make_point(state, a, main_partner(state, group, a), true));
+        else
+            for (std::int32_t j = i + 1; j < group.last; ++j)
+                contact.points.push_back(make_point(state, a, contact.active[j], false));
+    }
+    group.last_point = static_cast<std::int32_t>(contact.points.size());
 }
 
 } // namespace
@@ -50,11 +66,7 @@ void find_groups(State<D>& state) {
             contact.active.resize(group.first);
             continue;
         }
-        group.first_point = static_cast<std::int32_t>(contact.points.size());
-        const std::int32_t with_points = group.lumped() ? group.last : group.first + 1;
-        for (std::int32_t i = group.first; i < with_points; ++i)
-            contact.points.push_back(make_point(state, group, contact.active[i]));
-        group.last_point = static_cast<std::int32_t>(contact.points.size());
+        add_points(state, group);
         contact.groups.push_back(group);
     }
 }

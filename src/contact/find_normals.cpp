@@ -8,23 +8,27 @@ namespace abut {
 
 namespace {
 
-/// The group's particles, body a (class -1) against the rest (class +1), positions in cells from the node.
+/// The group's particles of a point, body a (class -1) against body b or all the rest (class +1), positions in cells
+/// from the node.
 template <int D>
-void classify(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, std::int32_t body_a,
+void classify(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, const ContactPoint<D>& point,
               Cloud<D>& cloud) {
     const Contact<D>& contact = state.contact;
+    const Particles<D>& particles = state.particles;
     const Vec<D> node = state.grid.node_position(group.node);
     const double inverse_length = 1 / state.grid.length();
     const std::int32_t* first = contact.cloud_particles.data() + g * contact.cloud_capacity;
     cloud.clear();
     double squares = 0;
     for (std::int32_t i = 0; i < contact.cloud_size[g]; ++i) {
-        const Vec<D> x = (state.particles.position[first[i]] - node) * inverse_length;
-        squares += state.particles.half_size[first[i]].squaredNorm();
-        cloud.add(x, state.particles.body[first[i]] == body_a ? -1.0 : 1.0, first[i]);
+        const std::int32_t p = first[i];
+        if (point.slot_b >= 0 && particles.body[p] != point.body_a && particles.body[p] != point.body_b) continue;
+        const Vec<D> x = (particles.position[p] - node) * inverse_length;
+        squares += particles.half_size[p].squaredNorm();
+        cloud.add(x, particles.body[p] == point.body_a ? -1.0 : 1.0, p);
     }
     // A uniform domain of half edge r has the variance r²/3.
-    cloud.spread = squares * inverse_length * inverse_length / (3 * D * cloud.size);
+    cloud.spread = cloud.size > 0 ? squares * inverse_length * inverse_length / (3 * D * cloud.size) : 0;
 }
 
 /// Separation of the edges of the particles nearest to the other class (contact paper Eq. 22-24) [m].
@@ -45,19 +49,20 @@ double particle_edges(const State<D>& state, std::int32_t body_a, const Vec<D>& 
 
 /// Sum of a slot quantity over the other side of a point.
 template <int D>
-Pack sum_of_others(const State<D>& state, const ContactGroup<D>& group, std::int32_t slot_a,
+Pack sum_of_others(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
                    const std::vector<Pack>& values) {
+    if (point.slot_b >= 0) return values[point.slot_b];
     Pack sum{};
     for (std::int32_t i = group.first; i < group.last; ++i)
-        if (state.contact.active[i] != slot_a) sum += values[state.contact.active[i]];
+        if (state.contact.active[i] != point.slot_a) sum += values[state.contact.active[i]];
     return sum;
 }
 
 /// n = (g_a − g_b)/|g_a − g_b| (contact paper Eq. 13).
 template <int D>
-Vec<D> average_gradient(const State<D>& state, const ContactGroup<D>& group, std::int32_t slot_a) {
+Vec<D> average_gradient(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point) {
     const std::vector<Pack>& gradient = state.contact.volume_gradient;
-    const Vec<D> g = vector_of<D>(gradient[slot_a] - sum_of_others(state, group, slot_a, gradient));
+    const Vec<D> g = vector_of<D>(gradient[point.slot_a] - sum_of_others(state, group, point, gradient));
     const double length = g.norm();
     return length > 0 ? Vec<D>(g / length) : Vec<D>::Zero();
 }
@@ -72,8 +77,8 @@ double grid_separation(const State<D>& state, const ContactGroup<D>& group, cons
         return (vector_of<D>(moment) / mass - node).dot(point.normal) * inverse_length;
     };
     const double a = apparent(mass_position[point.slot_a], state.nodes.momentum[point.slot_a][0]);
-    const double b = apparent(sum_of_others(state, group, point.slot_a, mass_position),
-                              sum_of_others(state, group, point.slot_a, state.nodes.momentum)[0]);
+    const double b = apparent(sum_of_others(state, group, point, mass_position),
+                              sum_of_others(state, group, point, state.nodes.momentum)[0]);
     const ContactSpec& spec = *state.scene.contact;
     return state.grid.length() * (spec.separation == SeparationMethod::critical_position
                                       ? critical_position(a, b, spec.offset)
@@ -85,7 +90,7 @@ void solve_point(const State<D>& state, const ContactGroup<D>& group, std::ptrdi
                  Cloud<D>& cloud) {
     const Effects& effects = state.effects;
     if (effects.clouds) {
-        classify(state, group, g, point.body_a, cloud);
+        classify(state, group, g, point, cloud);
         point.cloud_size = cloud.size;
     }
     if (effects.regression) {
@@ -93,7 +98,7 @@ void solve_point(const State<D>& state, const ContactGroup<D>& group, std::ptrdi
         point.iterations = regression.iterations;
         if (regression.found) point.normal = regression.normal;
     } else {
-        point.normal = average_gradient(state, group, point.slot_a);
+        point.normal = average_gradient(state, group, point);
     }
     if (point.normal.isZero()) {
         point.separation = std::numeric_limits<double>::infinity(); // no plane: no contact

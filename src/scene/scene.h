@@ -121,6 +121,11 @@ struct ImageSpec {
 
 enum class NormalMethod { logistic_regression, average_gradient };
 enum class SeparationMethod { particle_edges, critical_position, fitted_position, none };
+/// At nodes that see three or more bodies.
+enum class ThreeOrMore {
+    lumped,   ///< each body against all the others as one (contact paper Eq. 50); does not conserve momentum exactly
+    explicit_ ///< every touching pair with its own normal, all pairs at once
+};
 enum class LawType { frictionless, friction, stick, perfect };
 
 struct LawSpec {
@@ -139,6 +144,7 @@ struct ContactSpec {
     double offset = 0.8;    ///< of critical_position, in cells
     double exponent = 0.58; ///< of fitted_position
     int corrections = 2;    ///< 1 or 2 a step
+    ThreeOrMore three_or_more = ThreeOrMore::lumped;
     double screening = 0;   ///< bodies with a smaller share of a node's mass take no part in contact there
     LawSpec law;            ///< of every pair not named in `laws`
     std::vector<PairLawSpec> laws;
