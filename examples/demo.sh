@@ -18,7 +18,7 @@ END
 }
 
 results=results/ellipses
-options=(--set "/grid/cell=28.57 um")
+options=(--set "/grid/cell=28.6 um")
 threads=()
 while (($# > 0)); do
     case $1 in

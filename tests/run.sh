@@ -67,9 +67,10 @@ build "$preset" -DABUT_WERROR=ON -DABUT_TESTS=ON
 if [[ $full == yes ]]; then # these share no cores
     phase "Published cases at full size" ctest --preset "$preset" --output-on-failure -L full --no-tests=ignore
 fi
-# One thread a test, as many tests at a time as there are cores: tests of threading choose their own numbers.
+# One thread a test, as many tests at a time as there are cores. Tests of threading choose their own numbers; threads
+# that wait must not spin then.
 printf '\n== Tests\n'
-OMP_NUM_THREADS=1 ctest --preset "$preset" --output-on-failure -LE full -j"$(nproc)"
+OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive ctest --preset "$preset" --output-on-failure -LE full -j"$(nproc)"
 if [[ $badly_formatted == yes ]]; then
     echo "run.sh: some sources are not formatted, see above; clang-format -i FILE corrects them" >&2
     exit 1

@@ -30,7 +30,7 @@ std::string shortened(const std::string& text, double size, bool bold, double ro
     if (text_width(text, size, bold) <= room) return text;
     for (std::size_t length = text.size(); length-- > 1;) {
         if ((static_cast<unsigned char>(text[length]) & 0xc0) == 0x80) continue; // inside a UTF-8 character
-        const std::string shorter = text.substr(0, length) + "...";
+        std::string shorter = text.substr(0, length) + "...";
         if (text_width(shorter, size, bold) <= room) return shorter;
     }
     return {};
@@ -131,9 +131,10 @@ void add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& s
     // A bar as high as the scene gets unwieldy in tall pictures.
     const double high = pixel_centre(y),
                  low = pixel_centre(std::max(layout.plot_lower[1] + 4 * unit, high - 520 * unit));
-    for (double step = low; step < high; ++step)
-        picture.quads.add_rectangle({left, step}, {right, step + 1},
-                                    map_colour(scale.map, (step + 0.5 - low) / (high - low)));
+    const int steps = std::max(1, static_cast<int>(std::lround(high - low))); // both on pixel centres
+    for (int step = 0; step < steps; ++step)
+        picture.quads.add_rectangle({left, low + step}, {right, low + step + 1},
+                                    map_colour(scale.map, (step + 0.5) / (high - low)));
     for (const Pixel& y01 : {Pixel{low, low}, Pixel{high, high}})
         add_line(picture.quads, {left, y01[0]}, {right, y01[1]}, unit, faint);
     for (const double x : {left, right}) add_line(picture.quads, {x, low}, {x, high}, unit, faint);

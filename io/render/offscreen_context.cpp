@@ -25,7 +25,7 @@ EGLDisplay surfaceless_display() {
     const auto get_platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (!get_platform_display) fail("EGL has no platform displays");
-    const EGLDisplay display = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    EGLDisplay display = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) fail("no surfaceless EGL display");
     return display;
 }
@@ -39,7 +39,7 @@ EGLContext core_context(EGLDisplay display) {
     EGLConfig config = nullptr;
     EGLint found = 0;
     if (!eglChooseConfig(display, wanted, &config, 1, &found) || found == 0) fail("no OpenGL configuration");
-    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
+    EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
     if (context == EGL_NO_CONTEXT) fail("no OpenGL 3.2 context");
     return context;
 }

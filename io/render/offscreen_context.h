@@ -4,7 +4,7 @@
 
 #include <memory>
 
-class vtkRenderWindow;
+class vtkRenderWindow; // NOLINT(cppcoreguidelines-virtual-class-destructor)
 
 namespace abut {
 

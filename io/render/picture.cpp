@@ -5,6 +5,7 @@
 #include "io/results/write_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numeric>
 #include <stdexcept>
@@ -78,7 +79,10 @@ vtkSmartPointer<vtkActor> actor_of(const Quads& quads) {
     vtkNew<vtkPolyData> data;
     // Of quads at the same depth OpenGL need not show the later one; so each lies a little in front of the one before.
     const double step = quad_depth / static_cast<double>(quads.colours.size());
-    data->SetPoints(point_array(quads.corners, [&](std::size_t i) { return step * static_cast<double>(i / 4); }));
+    data->SetPoints(point_array(quads.corners, [&](std::size_t i) {
+        const std::size_t quad = i / 4;
+        return step * static_cast<double>(quad);
+    }));
     data->SetPolys(cell_array(quads.corners.size(), 4));
     data->GetCellData()->SetScalars(colour_array(quads.colours));
     return actor_of(data);
@@ -99,7 +103,7 @@ vtkSmartPointer<vtkActor> actor_of(const Dots& dots) {
 
 void set_font(vtkTextProperty& property, double size, bool bold) {
     property.SetFontFamilyToArial();
-    property.SetFontSize(static_cast<int>(size + 0.5));
+    property.SetFontSize(static_cast<int>(std::lround(size)));
     property.SetBold(bold);
 }
 
@@ -113,8 +117,8 @@ vtkSmartPointer<vtkTextActor> actor_of(const Label& label) {
     constexpr double descent = 0.21;
     const double width = text_width(label.text, label.size, label.bold);
     const double shift = label.align == Align::left ? 0 : label.align == Align::right ? width : width / 2;
-    actor->SetDisplayPosition(static_cast<int>(label.at[0] - shift + 0.5),
-                              static_cast<int>(label.at[1] - descent * label.size + 0.5));
+    actor->SetDisplayPosition(static_cast<int>(std::lround(label.at[0] - shift)),
+                              static_cast<int>(std::lround(label.at[1] - descent * label.size)));
     return actor;
 }
 

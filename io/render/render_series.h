@@ -35,7 +35,7 @@ public:
 /// Draws the frames of `result_dir`/particles.pvd as `frame_00000.png`, …, numbered as in the series; view and colours
 /// are the same in all. Returns the files written. Throws RenderRequestError if the folder, the series, the array, the
 /// preset or a frame is not there, naming it and what there is, and std::runtime_error for files that are broken.
-std::vector<std::filesystem::path> render_series(const std::filesystem::path& result_dir, const RenderOptions& options);
+std::vector<std::filesystem::path> render_series(const std::filesystem::path& result_dir, const RenderOptions& given);
 
 /// The names that RenderOptions::preset takes.
 const std::vector<std::string>& render_presets();

@@ -163,6 +163,7 @@ ContactSpec bind_contact(const Json& json) {
     copy(json, "exponent", contact.exponent);
     copy(json, "corrections", contact.corrections);
     copy_word(json, "three_or_more", three_or_more_words, contact.three_or_more);
+    copy(json, "overlap_correction", contact.overlap_correction);
     copy(json, "screening", contact.screening);
     contact.law = bind_law(part(json, "law"));
     copy_list(json, "laws", contact.laws, bind_pair_law);

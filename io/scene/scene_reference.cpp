@@ -1,5 +1,6 @@
 #include "io/scene/check.h"
 #include "io/scene/read_scene.h"
+#include "io/scene/scene_reference_texts.h"
 #include "io/scene/specification.h"
 
 #include <fmt/format.h>
@@ -121,25 +122,10 @@ void add_later(std::string& page) {
     }
 }
 
-constexpr const char* introduction =
-    R"(# Scene file reference
-
-A scene is a JSON file; `//` and `/* */` comments are allowed. Unknown keys are errors.
-
-A physical value is a number in SI units, or a text with a unit: `"78.09 GPa"`, `"2.78 g/cm^3"`, `"14.3 um"`,
-`"-9.81 m/s^2"`, `"30 deg"`. Units are `m g s Pa N J W K Hz rad` with the prefixes `p n u µ m c k M G T`, and
-`min h deg`; they combine by `*`, `/` (from left to right) and `^`. The unit must fit the key. The tables give the
-SI unit of each key as its type.
-
-A vector is a list of one value per axis: two in plane scenes. In the headings `[ ]` stands for an entry of a list
-and `NAME` for a name of your own.
-
-)";
-
 } // namespace
 
 std::string scene_reference() {
-    std::string page = introduction;
+    std::string page = reference_introduction;
     add_section(page, scene_specification());
     add_later(page);
     return page;

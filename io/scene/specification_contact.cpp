@@ -59,6 +59,12 @@ std::vector<Key> contact_keys() {
          .range = above(0),
          .only_with = OnlyWith{"separation", quoted("fitted-position")},
          .meaning = "Exponent of the fit from particle positions to edges."},
+        {.path = "/contact/overlap_correction",
+         .kind = Kind::number,
+         .otherwise = "0.01",
+         .range = from_to(0, 0.5),
+         .meaning = "Share of an overlap of two bodies that a step removes, with separation `particle-edges` and "
+                    "`explicit` pairs; 0: contact only stops bodies that approach, as published."},
         {.path = "/contact/screening",
          .kind = Kind::number,
          .otherwise = "0",
@@ -73,7 +79,7 @@ std::vector<Key> contact_keys() {
         {.path = "/contact/three_or_more",
          .kind = Kind::word,
          .words = texts(three_or_more_words),
-         .otherwise = quoted("lumped"),
+         .otherwise = quoted("explicit"),
          .meaning = "What happens at nodes that see three or more bodies: `lumped` takes each against all the others; "
                     "`explicit` solves all touching pairs at once, each with its own normal."},
         {.path = "/contact/law",
@@ -105,7 +111,7 @@ std::vector<Key> boundary_keys() {
         {.path = "/boundaries",
          .kind = Kind::list,
          .otherwise = "[]",
-         .meaning = "Boundary conditions; without any the grid's box has free space at its faces."},
+         .meaning = "Boundary conditions. The faces of the grid are none: material passes them freely."},
         {.path = "/boundaries/#", .kind = Kind::object, .meaning = "A boundary condition."},
         {.path = "/boundaries/#/name",
          .kind = Kind::name,
@@ -140,7 +146,7 @@ std::vector<Key> boundary_keys() {
          .kind = Kind::number,
          .otherwise = "1",
          .range = at_least(0),
-         .meaning = "How far inside the wall nodes still move with it, in cells."},
+         .meaning = "How far inside the wall nodes still move with it, in cells; 0: only nodes on and behind it."},
         {.path = "/boundaries/#/wall/gradient",
          .kind = Kind::quantity,
          .dimension = dimensions::rate,
@@ -150,7 +156,7 @@ std::vector<Key> boundary_keys() {
         {.path = "/boundaries/#/wall/grip",
          .kind = Kind::boolean,
          .otherwise = "true",
-         .meaning = "Whether the wall holds material that would move away from it."},
+         .meaning = "Whether the wall holds material that would move away from it; `false`: it only pushes."},
     };
 }
 

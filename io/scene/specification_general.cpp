@@ -115,12 +115,14 @@ std::vector<Key> general_keys() {
          .dimension = dimensions::time,
          .otherwise = "0",
          .range = at_least(0),
-         .meaning = "Time between two outputs; 0 writes only the first and the last state."},
+         .meaning = "Time between two frames, each written at the first step at or after its time; 0 writes only the "
+                    "first and the last state."},
         {.path = "/output/history_every",
          .kind = Kind::quantity,
          .dimension = dimensions::time,
          .range = above(0),
-         .meaning = "Time between two rows of history.csv; not given: a hundredth of `every`."},
+         .meaning = "Time between two rows of history.csv and bodies.csv; not given: a hundredth of `every`, or of "
+                    "`end` if that is 0."},
         {.path = "/output/particles",
          .kind = Kind::boolean,
          .otherwise = "true",

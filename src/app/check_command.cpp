@@ -54,7 +54,7 @@ int check_command(const SceneOptions& options) {
     const double dt = next_step(state, state.scene.time.end);
 
     fmt::print("{}\n\n", state.scene.title.empty() ? options.scene.string() : state.scene.title);
-    fmt::print("{} bodies, {} particles; {} x {} cells of {:.4g} x {:.4g} m\n", state.bodies.size(),
+    fmt::print("{} bodies, {} particles; {} x {} cells of {:.6g} x {:.6g} m\n", state.bodies.size(),
                state.particles.size(), state.grid.cells[0], state.grid.cells[1], state.grid.cell[0],
                state.grid.cell[1]);
     fmt::print("{} slots (a body at a node), {} nodes see several bodies\n", state.fields.size(),
@@ -72,10 +72,10 @@ int check_command(const SceneOptions& options) {
     for (const Field& field : fields_with_stencils(state)) {
         const double bytes = static_cast<double>(field.bytes_each * count_of(state, field.place));
         total += bytes;
-        fmt::print("  {:<36} {:>4} bytes a {:<13} {:>9.2f} MB  {}\n", field.name, field.bytes_each, field.place,
-                   bytes / 1e6, field.reason);
+        fmt::print("  {:>9.2f} MB {:>5} bytes a {:<13} {} ({})\n", bytes / 1e6, field.bytes_each, field.place,
+                   field.name, field.reason);
     }
-    fmt::print("  {:<36} {:>30.2f} MB\n", "together", total / 1e6);
+    fmt::print("  {:>9.2f} MB together\n", total / 1e6);
     return 0;
 }
 

@@ -1,11 +1,15 @@
 // The command line (contract §1). CLI11 is slow to compile: it stays in this file.
 #include "app/commands.h"
 #include "scene/problem.h"
+#include "scene/suggest.h"
 
 #include <CLI/CLI.hpp>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <stdexcept>
@@ -20,6 +24,16 @@ void add_scene(CLI::App& command, abut::SceneOptions& options) {
         ->allow_extra_args(false);
 }
 
+/// CLI11 would only say that a subcommand is missing.
+void check_command_name(const CLI::App& program, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+    if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+    throw abut::UsageError("no command \"" + std::string(argv[1]) + "\"" + abut::did_you_mean(argv[1], names) +
+                           " (there are: " + abut::quoted_list(names, "and") + ")");
+}
+
 int run_program(int argc, char** argv) {
     using namespace abut;
     CLI::App program("abut: material point contact mechanics that opens in ParaView");
@@ -32,7 +46,7 @@ int run_program(int argc, char** argv) {
     add_scene(*run, run_options.scene);
     run->add_option("-o,--output", run_options.output, "result folder; default NAME-results");
     run->add_option("--threads", run_options.threads, "threads; default all cores")->check(CLI::Range(1, 1024));
-    run->add_option("--until", run_options.until, "stop at this time, e.g. \"3 us\"");
+    run->add_option("--until", run_options.until, "stop at this time, e.g. 3us (a plain number: seconds)");
     run->add_flag("--overwrite", run_options.overwrite, "replace the results of an earlier run");
     run->add_flag("--quiet", run_options.quiet, "no progress");
     run->callback([&] { action = [&] { return run_command(run_options); }; });
@@ -98,6 +112,7 @@ int run_program(int argc, char** argv) {
         action = reference_command;
     });
 
+    check_command_name(program, argc, argv);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -109,9 +124,19 @@ int run_program(int argc, char** argv) {
     return exit_code;
 }
 
+/// Makes OpenMP's threads sleep while they wait for one another, unless the user's environment chooses otherwise. GNU's
+/// default, to spin, is a little faster when no other program runs, but many times slower when cores are shared. The
+/// library reads its settings before main, so the program starts itself again.
+void wait_asleep(char** argv) {
+    for (const char* chosen : {"OMP_WAIT_POLICY", "GOMP_SPINCOUNT"})
+        if (std::getenv(chosen) != nullptr) return; // NOLINT(concurrency-mt-unsafe): no threads yet
+    if (setenv("OMP_WAIT_POLICY", "passive", 1) == 0) execv("/proc/self/exe", argv); // comes back only if it can't
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+    wait_asleep(argv);
     try {
         return run_program(argc, argv);
     } catch (const abut::SceneError& error) {

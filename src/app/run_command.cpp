@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <ctime>
 
@@ -54,8 +56,10 @@ double history_interval(const Scene& scene) {
 double end_time(const RunOptions& options, const Scene& scene) {
     if (!options.until) return scene.time.end;
     double until = 0;
+    const char* const text_end = options.until->data() + options.until->size();
     try {
-        until = parse_quantity(*options.until, dimensions::time);
+        if (std::from_chars(options.until->data(), text_end, until).ptr != text_end) // else a plain number, in s
+            until = parse_quantity(*options.until, dimensions::time);
     } catch (const std::exception& error) {
         throw UsageError(fmt::format("--until: {}", error.what()));
     }

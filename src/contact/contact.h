@@ -15,8 +15,10 @@ struct ContactPoint {
     std::int32_t body_b = -1;       ///< the one whose law counts: the other with the most mass
     Vec<D> normal = Vec<D>::Zero(); ///< unit, from a to b; zero: none found
     double separation = 0;          ///< [m], < 0 in overlap
+    double overlap = 0;             ///< close to the node, beyond what steps in the edges explain [m], >= 0
     std::int32_t cloud_size = 0;
     std::int32_t iterations = 0;
+    double parting = 0;              ///< normal velocity at which overlapping bodies shall part [m/s]
     bool touching = false;           ///< in contact in the second pass
     Vec<D> impulse = Vec<D>::Zero(); ///< on a in the second pass [N s]
 };

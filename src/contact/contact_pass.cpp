@@ -23,7 +23,9 @@ Pack other_side(const State<D>& state, const ContactGroup<D>& group, const Conta
     return result;
 }
 
-double reduced_mass(const Pack& a, const Pack& b) { return a[0] * b[0] / (a[0] + b[0]); }
+double reduced_mass(const Pack& a, const Pack& b) {
+    return a[0] * b[0] / (a[0] + b[0]);
+}
 
 template <int D>
 void apply(std::int32_t slot, const Vec<D>& impulse, std::vector<Pack>& velocity, std::vector<Pack>* change) {
@@ -43,8 +45,8 @@ void correct_lumped(State<D>& state, const ContactGroup<D>& group, double carry,
         const Pack b = other_side(state, group, point, velocity);
         const Vec<D> approach = vector_of<D>(b - a);
         point.touching = point.separation + approach.dot(point.normal) * carry < 0;
-        point.impulse = law_impulse<D>(contact.laws.between(point.body_a, point.body_b),
-                                       reduced_mass(a, b) * approach, point.normal, point.touching);
+        point.impulse = law_impulse<D>(contact.laws.between(point.body_a, point.body_b), reduced_mass(a, b) * approach,
+                                       point.normal, point.touching);
     }
     for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
         const ContactPoint<D>& point = contact.points[i];
@@ -52,23 +54,29 @@ void correct_lumped(State<D>& state, const ContactGroup<D>& group, double carry,
     }
 }
 
-/// Δp' of every pair of a group: each pair's law is satisfied in turn, with what the other pairs do at that moment,
-/// until nothing changes (Gauss and Seidel). A single pair, and two bodies with a third between them that don't touch
-/// each other, are the cases with an explicit solution (contact paper §3.4); more touching pairs are solved alike.
-/// Momentum is conserved pair by pair.
+/// Which pairs of a group touch, from the velocities before any correction, and how fast those that overlap shall part.
 template <int D>
-void correct_pairs(State<D>& state, const ContactGroup<D>& group, double carry, std::vector<Pack>& velocity,
-                   std::vector<Pack>* change) {
-    Contact<D>& contact = state.contact;
-    double scale = 0;
+void begin_pairs(State<D>& state, const ContactGroup<D>& group, double carry, const std::vector<Pack>& velocity) {
     for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
-        ContactPoint<D>& point = contact.points[i];
+        ContactPoint<D>& point = state.contact.points[i];
         const Vec<D> approach = vector_of<D>(velocity[point.slot_b] - velocity[point.slot_a]);
         point.touching = point.separation + approach.dot(point.normal) * carry < 0;
         point.impulse = Vec<D>::Zero();
-        scale = std::max(scale, approach.norm());
+        point.parting = carry > 0 ? state.scene.contact->overlap_correction * point.overlap / carry : 0;
     }
+}
+
+/// Δp' of every pair of a group: each pair's law is satisfied in turn, with what the other pairs do at that moment,
+/// until nothing changes (Gauss and Seidel). A single pair, and two bodies with a third between them that don't touch
+/// each other, are the cases with an explicit solution (contact paper §3.4); more touching pairs are solved alike.
+/// Momentum is conserved pair by pair. May be called again after velocities have changed for another reason (walls).
+template <int D>
+void correct_pairs(State<D>& state, const ContactGroup<D>& group, std::vector<Pack>& velocity,
+                   std::vector<Pack>* change) {
+    Contact<D>& contact = state.contact;
     constexpr int most_sweeps = 50;
+    constexpr double tolerance = 1e-12; // of the largest correction of the first sweep
+    double first = 0;
     const int sweeps = group.last_point - group.first_point > 1 ? most_sweeps : 1;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         double largest = 0;
@@ -78,9 +86,9 @@ void correct_pairs(State<D>& state, const ContactGroup<D>& group, double carry, 
             const Pack b = velocity[point.slot_b];
             const double mass = reduced_mass(a, b);
             // What would stop the pair if the pair's own impulse had not been given yet.
-            const Vec<D> stick = point.impulse + mass * vector_of<D>(b - a);
-            const Vec<D> impulse = law_impulse<D>(contact.laws.between(point.body_a, point.body_b), stick, point.normal,
-                                                  point.touching);
+            const Vec<D> stick = point.impulse + mass * (vector_of<D>(b - a) - point.parting * point.normal);
+            const Vec<D> impulse =
+                law_impulse<D>(contact.laws.between(point.body_a, point.body_b), stick, point.normal, point.touching);
             const Vec<D> more = impulse - point.impulse;
             if (more.isZero(0)) continue;
             point.impulse = impulse;
@@ -88,24 +96,45 @@ void correct_pairs(State<D>& state, const ContactGroup<D>& group, double carry, 
             apply<D>(point.slot_b, -more, velocity, change);
             largest = std::max(largest, more.norm() / mass);
         }
-        if (largest <= 1e-12 * scale) break;
+        if (sweep == 0) first = largest;
+        if (largest <= tolerance * first) break;
     }
 }
 
 template <int D>
-void correct_group(State<D>& state, const ContactGroup<D>& group, double carry, std::vector<Pack>& velocity,
-                   std::vector<Pack>* change) {
-    if (state.contact.points[group.first_point].slot_b < 0)
-        correct_lumped(state, group, carry, velocity, change);
-    else
-        correct_pairs(state, group, carry, velocity, change);
+bool is_lumped(const State<D>& state, const ContactGroup<D>& group) {
+    return state.contact.points[group.first_point].slot_b < 0;
 }
 
 template <int D>
 void correct_all(State<D>& state, double carry, std::vector<Pack>& velocity, std::vector<Pack>* change) {
     const auto n = static_cast<std::ptrdiff_t>(state.contact.groups.size());
 #pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t g = 0; g < n; ++g) correct_group(state, state.contact.groups[g], carry, velocity, change);
+    for (std::ptrdiff_t g = 0; g < n; ++g) {
+        const ContactGroup<D>& group = state.contact.groups[g];
+        if (is_lumped(state, group)) {
+            correct_lumped(state, group, carry, velocity, change);
+        } else {
+            begin_pairs(state, group, carry, velocity);
+            correct_pairs(state, group, velocity, change);
+        }
+    }
+}
+
+/// Groups of pairs with a slot that a wall controls.
+template <int D>
+std::vector<std::ptrdiff_t> groups_at_walls(const State<D>& state) {
+    std::vector<char> controlled(state.fields.size(), 0);
+    for (const Wall<D>& wall : state.walls)
+        for (const auto& node : wall.controlled) controlled[node.slot] = 1;
+    std::vector<std::ptrdiff_t> groups;
+    for (std::size_t g = 0; g < state.contact.groups.size(); ++g) {
+        const ContactGroup<D>& group = state.contact.groups[g];
+        bool any = false;
+        for (std::int32_t i = group.first; i < group.last; ++i) any |= controlled[state.contact.active[i]] != 0;
+        if (any && !is_lumped(state, group)) groups.push_back(static_cast<std::ptrdiff_t>(g));
+    }
+    return groups;
 }
 
 } // namespace
@@ -122,7 +151,18 @@ void first_contact_pass(State<D>& state) {
 
 template <int D>
 void second_contact_pass(State<D>& state) {
-    correct_all<D>(state, state.dt, state.nodes.end_velocity, nullptr);
+    std::vector<Pack>& velocity = state.nodes.end_velocity;
+    correct_all<D>(state, state.dt, velocity, nullptr);
+    if (state.walls.empty()) return;
+    // Where a body is pressed against a wall and another body, walls and contact take turns until both are satisfied,
+    // or nearly: walls have the last word.
+    constexpr int turns = 10;
+    const std::vector<std::ptrdiff_t> groups = groups_at_walls(state);
+    for (int turn = 0; turn < turns && !groups.empty(); ++turn) {
+        for (Wall<D>& wall : state.walls) impose(wall, velocity);
+        for (const std::ptrdiff_t g : groups) correct_pairs<D>(state, state.contact.groups[g], velocity, nullptr);
+    }
+    for (Wall<D>& wall : state.walls) impose(wall, velocity);
 }
 
 template <int D>

@@ -9,7 +9,7 @@ template <int D>
 void first_contact_pass(State<D>& state);
 
 /// Second contact pass, after the momentum update (contact paper Eq. 31); the contact force of the step. Separations
-/// are carried to the end of the step (notes 3.56). Changes NodeArrays::end_velocity.
+/// are carried to the end of the step (notes 3.56). Walls are imposed again. Changes NodeArrays::end_velocity.
 template <int D>
 void second_contact_pass(State<D>& state);
 

@@ -31,20 +31,44 @@ void classify(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_
     cloud.spread = cloud.size > 0 ? squares * inverse_length * inverse_length / (3 * D * cloud.size) : 0;
 }
 
-/// Separation of the edges of the particles nearest to the other class (contact paper Eq. 22-24) [m].
-template <int D>
-double particle_edges(const State<D>& state, std::int32_t body_a, const Vec<D>& n, const Cloud<D>& cloud) {
-    double edge_a = -std::numeric_limits<double>::infinity();
-    double edge_b = std::numeric_limits<double>::infinity();
-    for (const int p : cloud.particle) {
-        const double x = state.particles.position[p].dot(n);
-        const double R = edge_distance<D>(state.particles.deformation_gradient[p], state.particles.half_size[p], n);
-        if (state.particles.body[p] == body_a)
-            edge_a = std::max(edge_a, x + R);
+/// Where the particles of both sides of a point end along n.
+struct Edges {
+    double a = -std::numeric_limits<double>::infinity();
+    double b = std::numeric_limits<double>::infinity();
+    void add(bool side_a, double x, double R) {
+        if (side_a)
+            a = std::max(a, x + R);
         else
-            edge_b = std::min(edge_b, x - R);
+            b = std::min(b, x - R);
     }
-    return edge_b - edge_a;
+};
+
+/// Separation of the edges of the particles nearest to the other class (contact paper Eq. 22-24), and the overlap close
+/// to the node. The cloud reaches up to two cells to the sides; where the interface is curved its outermost particles
+/// make the separation negative though nothing overlaps. The overlap therefore counts only particles whose centres lie
+/// within half a cell of the line through the node along n, and what is left of the curvature, of the steps in a
+/// body's edge and of the inscribed ellipses is covered by a tenth of a cell.
+template <int D>
+void particle_edges(const State<D>& state, const ContactGroup<D>& group, const Cloud<D>& cloud,
+                    ContactPoint<D>& point) {
+    constexpr double half_width = 0.5; // [cells]
+    constexpr double tolerance = 0.1;  // [cells]
+    const double length = state.grid.length();
+    const Vec<D> node = state.grid.node_position(group.node);
+    Edges all;
+    Edges near;
+    for (const int p : cloud.particle) {
+        const Vec<D> x = state.particles.position[p] - node;
+        const double along = x.dot(point.normal);
+        const double R =
+            edge_distance<D>(state.particles.deformation_gradient[p], state.particles.half_size[p], point.normal);
+        const bool side_a = state.particles.body[p] == point.body_a;
+        all.add(side_a, along, R);
+        if ((x - along * point.normal).squaredNorm() < half_width * half_width * length * length)
+            near.add(side_a, along, R);
+    }
+    point.separation = all.b - all.a;
+    point.overlap = std::max(0.0, near.a - near.b - tolerance * length);
 }
 
 /// Sum of a slot quantity over the other side of a point.
@@ -106,7 +130,7 @@ void solve_point(const State<D>& state, const ContactGroup<D>& group, std::ptrdi
     }
     switch (state.scene.contact->separation) {
     case SeparationMethod::particle_edges:
-        point.separation = particle_edges(state, point.body_a, point.normal, cloud);
+        particle_edges(state, group, cloud, point);
         break;
     case SeparationMethod::critical_position:
     case SeparationMethod::fitted_position:

@@ -52,7 +52,6 @@ std::vector<Task<D>> step_tasks(const Scene& scene) {
     add(true, "update momenta", "always", update_momenta<D>);
     add(walls, "impose walls", "the scene has walls", impose_walls<D>);
     add(effects.contact, "second contact pass", "updated momenta must obey contact", second_contact_pass<D>);
-    add(effects.contact && walls, "impose walls again", "contact may change velocities at walls", impose_walls<D>);
     add(effects.contact || walls || effects.gravity, "settle works", "the energy balance", settle_works<D>);
     add(effects.extra_orders > 0, "filter velocities", "xpic of order 2 or more", filter_velocities<D>);
     add(true, usf ? "update particles" : "update particles and stress", "always", update_particles<D>);

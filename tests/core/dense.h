@@ -55,8 +55,8 @@ inline Weight corner_average(const Vec<2>& center, const Mat<2>& sides, const Ve
     Weight w;
     double area = 0;
     for (int c = 0; c < 4; ++c) {
-        const Vec<2> a = corner[c].cwiseProduct(cell);
-        const Vec<2> b = corner[(c + 1) % 4].cwiseProduct(cell);
+        const Vec<2> a = (corner[c] - center).cwiseProduct(cell);
+        const Vec<2> b = (corner[(c + 1) % 4] - center).cwiseProduct(cell);
         const double at_a = node_function(corner[c], node);
         const double at_b = node_function(corner[(c + 1) % 4], node);
         w.S += at_a / 4;

@@ -34,7 +34,7 @@ Mat<3> embed(const Mat<2>& F) {
 /// τ = ∂W/∂F Fᵀ by central differences of fourth order.
 Mat<3> kirchhoff_by_differences(const Law& law, const Mat<3>& F) {
     Eigen::Matrix<long double, 3, 3> P;
-    const long double h = 2e-4L;
+    const long double h = 4e-5L;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             const auto at = [&](long double step) {
@@ -113,7 +113,8 @@ TEST(Material, AtRestThereIsNoStressAndTheStiffnessIsThatOfLongitudinalWaves) {
             [&](const auto& l) {
                 EXPECT_NEAR(l.energy(strain_of<2>(Mat<2>::Identity())), 0, 1e-12);
                 EXPECT_NEAR(l.stiffness(strain_of<2>(Mat<2>::Identity())), K + 4 * G / 3, 1e-9);
-                EXPECT_NEAR(l.stiffness(strain_of<3>(Mat<3>::Identity())), K + 4 * G / 3, 0.13 * (K + 4 * G / 3));
+                // In three dimensions a bound.
+                EXPECT_GE(l.stiffness(strain_of<3>(Mat<3>::Identity())), K + 4 * G / 3);
             },
             law);
     }
@@ -150,6 +151,18 @@ TEST(Material, StiffnessBoundsTheWaveSpeedOfEveryDirection) {
             const double acoustic = largest_acoustic(law, F);
             EXPECT_LE(acoustic, bound * (1 + 1e-5)) << "law " << law.index() << "\n" << F;
             EXPECT_GE(acoustic, bound / 2.5) << "a bound so loose makes steps too short\n" << F;
+        }
+}
+
+/// Not so (to be mended): NeoHookeanIsochoric::stiffness takes the longitudinal wave for the fastest; where b differs
+/// much between directions the fastest polarisation is not along n.
+TEST(Material, DISABLED_StiffnessBoundsTheWaveSpeedInLargeShear) {
+    for (const Law& law : laws())
+        for (const double shear : {1.0, 2.0, 3.0, 5.0}) {
+            Mat<2> F;
+            F << 1, shear, 0, 1;
+            const double bound = std::visit([&](const auto& l) { return l.stiffness(strain_of<2>(F)); }, law);
+            EXPECT_LE(largest_acoustic(law, F), bound * (1 + 1e-5)) << "law " << law.index() << ", shear " << shear;
         }
 }
 

@@ -1,0 +1,70 @@
+/// Results are bit-identical for any number of threads.
+
+#include "core/support.h"
+
+#include <omp.h>
+
+namespace {
+
+using namespace test;
+
+struct Outcome {
+    std::vector<std::vector<double>> history;
+    Particles<2> particles;
+};
+
+Outcome outcome(int threads, ShapeKind shape, const ContactSpec& spec) {
+    omp_set_num_threads(threads);
+    Scene scene = plane_scene(0.25, -4, -3, 4, 3, material(1, 8, 4));
+    scene.method.shape = shape;
+    scene.method.transfer = transfer(TransferScheme::xpic, 5);
+    scene.gravity = {0, -0.02, 0};
+    scene.contact = spec;
+    add_wall(scene, "floor", 1, Side::lower, -2.2, 0, false);
+    Model model;
+    add_disk(model, add_body(model, "left", {0.3, 0, 0}), -1.2, -0.3, 1, 0.125);
+    add_disk(model, add_body(model, "right", {-0.3, 0, 0}), 1.2, 0.2, 1, 0.125);
+    add_disk(model, add_body(model, "third", {0, -0.4, 0}), 0.1, 1.7, 0.7, 0.125);
+    State<2> state = make_state<2>(scene, model);
+    Outcome result;
+    run(state, 3, [&] {
+        if (state.step % 5 == 0) result.history.push_back(history_row(state, totals(state), 0.1));
+    });
+    result.particles = state.particles;
+    omp_set_num_threads(1);
+    return result;
+}
+
+template <class T>
+void expect_same_bits(const std::vector<T>& a, const std::vector<T>& b, const char* what) {
+    ASSERT_EQ(a.size(), b.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) different += !(a[i] == b[i]);
+    EXPECT_EQ(different, 0u) << what;
+}
+
+TEST(Threads, OneTwoAndThreeGiveTheSameBits) {
+    ContactSpec regression = contact(LawType::friction, 0.3);
+    ContactSpec gradient = regression;
+    gradient.normal = NormalMethod::average_gradient;
+    gradient.separation = SeparationMethod::fitted_position;
+    for (const ShapeKind shape : {ShapeKind::cpdi, ShapeKind::ugimp})
+        for (const ContactSpec& spec : {regression, gradient}) {
+            const Outcome one = outcome(1, shape, spec);
+            ASSERT_GT(one.history.size(), 10u);
+            EXPECT_NE(one.history.back()[7], 0) << "contact works";
+            for (const int threads : {2, 3}) {
+                const Outcome more = outcome(threads, shape, spec);
+                EXPECT_EQ(more.history, one.history) << threads << " threads";
+                expect_same_bits(more.particles.position, one.particles.position, "position");
+                expect_same_bits(more.particles.velocity, one.particles.velocity, "velocity");
+                expect_same_bits(more.particles.deformation_gradient, one.particles.deformation_gradient, "F");
+                expect_same_bits(more.particles.stress, one.particles.stress, "stress");
+                expect_same_bits(more.particles.mass, one.particles.mass, "mass");
+                expect_same_bits(more.particles.body, one.particles.body, "body");
+                expect_same_bits(more.particles.id, one.particles.id, "order");
+            }
+        }
+}
+
+} // namespace
