@@ -69,10 +69,10 @@ the time it is due, and has that time. So output does not change results. Only t
 **Walls.** The faces of the grid are *not* walls: material passes them freely, and a particle that leaves the grid by
 more than a cell ends the run with an error. A wall sets the velocity component along its axis, at every node that
 lies outside the wall or at most `depth` cells inside it, to `velocity` + `gradient` · (the node's coordinate − the
-wall's), and leaves the other component free: it is frictionless. `depth` 0 sets only the nodes on and behind the wall; with 1, the
-default, there is always a row of such nodes inside it too, wherever it has moved to. With `grip` (the default) the
-wall also holds material that would move away; `"grip": false` lets go of it, as a real plate does. Walls are
-unlimited along themselves.
+wall's), and leaves the other component free: it is frictionless. `depth` 0 sets only the nodes on and behind the
+wall; with 1, the default, there is always a row of such nodes inside it too, wherever it has moved to. With `grip`
+(the default) the wall also holds material that would move away; `"grip": false` lets go of it, as a real plate does.
+Walls are unlimited along themselves.
 
 **Contact.** Without `contact` all bodies share one velocity field: they stick where they meet. With it, each has its
 own, and where nodes see several bodies the `law` of the pair acts between them. `frictionless`, `friction` and

@@ -23,18 +23,8 @@ State<2> load_state(const SceneOptions& options) {
 
 std::size_t count_of(const State<2>& state, const std::string& place) {
     if (place == "particle") return state.particles.size();
+    if (place == "stencil entry") return state.stencil_store.S.size();
     return place == "slot" ? state.fields.size() : state.contact.groups.size();
-}
-
-/// The scene's fields, and the largest of all where the shape has one: stencils kept for a step.
-std::vector<Field> fields_with_stencils(const State<2>& state) {
-    std::vector<Field> fields = fields_of<2>(state.effects);
-    const StencilStore<2>& store = state.stencil_store;
-    const std::size_t entry = sizeof(store.slot[0]) + sizeof(store.S[0]) + 2 * sizeof(store.G[0][0]);
-    if (const std::size_t particles = state.particles.size(); !store.slot.empty())
-        fields.push_back({"stencil: nodes, shape functions, gradients", "particle", "kept for all sweeps of a step",
-                          sizeof(store.first[0]) + store.slot.size() * entry / particles});
-    return fields;
 }
 
 } // namespace
@@ -69,8 +59,8 @@ int check_command(const SceneOptions& options) {
 
     fmt::print("\nFields:\n");
     double total = 0;
-    for (const Field& field : fields_with_stencils(state)) {
-        const double bytes = static_cast<double>(field.bytes_each * count_of(state, field.place));
+    for (const Field& field : fields_of<2>(state.effects)) {
+        const auto bytes = static_cast<double>(field.bytes_each * count_of(state, field.place));
         total += bytes;
         fmt::print("  {:>9.2f} MB {:>5} bytes a {:<13} {} ({})\n", bytes / 1e6, field.bytes_each, field.place,
                    field.name, field.reason);

@@ -15,9 +15,11 @@
 #include <stdexcept>
 #include <string>
 
+namespace abut {
+
 namespace {
 
-void add_scene(CLI::App& command, abut::SceneOptions& options) {
+void add_scene(CLI::App& command, SceneOptions& options) {
     command.add_option("SCENE", options.scene, "scene file (JSON)")->required();
     command.add_option("--set", options.set, "PTR=VALUE: sets a value of the scene by JSON pointer; may be repeated")
         ->type_name("PTR=VALUE")
@@ -30,12 +32,11 @@ void check_command_name(const CLI::App& program, int argc, char** argv) {
     std::vector<std::string> names;
     for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
     if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
-    throw abut::UsageError("no command \"" + std::string(argv[1]) + "\"" + abut::did_you_mean(argv[1], names) +
-                           " (there are: " + abut::quoted_list(names, "and") + ")");
+    throw UsageError("no command \"" + std::string(argv[1]) + "\"" + did_you_mean(argv[1], names) +
+                     " (there are: " + quoted_list(names, "and") + ")");
 }
 
 int run_program(int argc, char** argv) {
-    using namespace abut;
     CLI::App program("abut: material point contact mechanics that opens in ParaView");
     program.set_version_flag("--version", "abut " ABUT_VERSION);
     program.require_subcommand(1);
@@ -135,10 +136,12 @@ void wait_asleep(char** argv) {
 
 } // namespace
 
+} // namespace abut
+
 int main(int argc, char** argv) {
-    wait_asleep(argv);
+    abut::wait_asleep(argv);
     try {
-        return run_program(argc, argv);
+        return abut::run_program(argc, argv);
     } catch (const abut::SceneError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 2;

@@ -21,7 +21,7 @@ namespace abut {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupted = 0; // NOLINT: all that a signal handler may set
 
 void on_signal(int signal) {
     interrupted = 1;

@@ -37,16 +37,35 @@ private:
     }
 };
 
+/// Component by component: see product() in deformation.h.
 template <int D>
-inline Strain<D> strain_of(const Mat<D>& F) {
+[[gnu::always_inline]] inline Strain<D> strain_of(const Mat<D>& F) {
     Strain<D> s;
-    const Mat<D> b = F * F.transpose();
-    s.J = F.determinant();
-    if constexpr (D == 2)
-        s.b << b(0, 0), b(1, 1), 1.0, b(0, 1);
-    else
-        s.b << b(0, 0), b(1, 1), b(2, 2), b(0, 1), b(1, 2), b(0, 2);
+    const auto b = [&](int i, int j) {
+        double sum = 0;
+        for (int k = 0; k < D; ++k) sum += F(i, k) * F(j, k);
+        return sum;
+    };
+    s.b[0] = b(0, 0);
+    s.b[1] = b(1, 1);
+    s.b[2] = D == 2 ? 1.0 : b(D - 1, D - 1);
+    s.b[3] = b(0, 1);
+    if constexpr (D == 2) {
+        s.J = F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
+    } else {
+        s.b[4] = b(1, 2);
+        s.b[5] = b(0, 2);
+        s.J = F.determinant();
+    }
     return s;
+}
+
+/// p I + g b.
+template <int D>
+[[gnu::always_inline]] inline Stress<D> isotropic_plus(double p, double g, const Stress<D>& b) {
+    Stress<D> result;
+    for (int c = 0; c < static_cast<int>(b.size()); ++c) result[c] = g * b[c] + (c < 3 ? p : 0.0);
+    return result;
 }
 
 /// Compressible neo-Hookean solid, W = λ/2 ((J² − 1)/2 − ln J) + G/2 (I₁ − 3 − 2 ln J) (FMPM paper Eq. 6).
@@ -56,10 +75,8 @@ struct NeoHookean {
 
     /// τ = λ/2 (J² − 1) I + G (b − I).
     template <int D>
-    Stress<D> kirchhoff(const Strain<D>& s) const {
-        Stress<D> tau = G * s.b;
-        tau.template head<3>().array() += 0.5 * lambda * (s.J * s.J - 1) - G;
-        return tau;
+    [[gnu::always_inline]] Stress<D> kirchhoff(const Strain<D>& s) const {
+        return isotropic_plus<D>(0.5 * lambda * (s.J * s.J - 1) - G, G, s.b);
     }
 
     /// Strain energy per undeformed volume [J/m^3].
@@ -72,7 +89,7 @@ struct NeoHookean {
     /// Upper bound of ρ0 c² over all directions [Pa]. The acoustic tensor of W along a unit vector n of the deformed
     /// body gives ρ0 c² = λ/2 (J² + 1) + G (1 + n·b·n) for the longitudinal wave.
     template <int D>
-    double stiffness(const Strain<D>& s) const {
+    [[gnu::always_inline]] double stiffness(const Strain<D>& s) const {
         return 0.5 * lambda * (s.J * s.J + 1) + G * (1 + s.largest());
     }
 };
@@ -80,7 +97,7 @@ struct NeoHookean {
 /// J^(−2/3) to round-off: Newton's iteration for J^(−1/3) from a guess by the exponent bits (3 % off); half the cost of
 /// std::cbrt, which is a tenth of a single-body step.
 inline double inverse_cube_root_squared(double J) {
-    double y = std::bit_cast<double>(0x553ef0ff289dd796 - std::bit_cast<std::uint64_t>(J) / 3);
+    auto y = std::bit_cast<double>(0x553ef0ff289dd796 - std::bit_cast<std::uint64_t>(J) / 3);
     for (int i = 0; i < 4; ++i) y *= 4.0 / 3 - J / 3 * y * y * y;
     return y * y;
 }
@@ -92,11 +109,9 @@ struct NeoHookeanIsochoric {
 
     /// τ = K/2 (J² − 1) I + G J^(−2/3) dev b.
     template <int D>
-    Stress<D> kirchhoff(const Strain<D>& s) const {
+    [[gnu::always_inline]] Stress<D> kirchhoff(const Strain<D>& s) const {
         const double g = G * inverse_cube_root_squared(s.J);
-        Stress<D> tau = g * s.b;
-        tau.template head<3>().array() += 0.5 * K * (s.J * s.J - 1) - g * s.trace() / 3;
-        return tau;
+        return isotropic_plus<D>(0.5 * K * (s.J * s.J - 1) - g * s.trace() / 3, g, s.b);
     }
 
     /// Strain energy per undeformed volume [J/m^3].
@@ -109,7 +124,7 @@ struct NeoHookeanIsochoric {
     /// Upper bound of ρ0 c² over all directions [Pa]: the acoustic tensor gives, along a unit vector n of the deformed
     /// body, ρ0 c² = K/2 (J² + 1) + G J^(−2/3) (5/9 I₁ − 1/3 n·b·n) for the longitudinal wave. At rest: K + 4G/3.
     template <int D>
-    double stiffness(const Strain<D>& s) const {
+    [[gnu::always_inline]] double stiffness(const Strain<D>& s) const {
         return 0.5 * K * (s.J * s.J + 1) +
                G * inverse_cube_root_squared(s.J) * (5.0 / 9 * s.trace() - s.smallest() / 3);
     }

@@ -1,5 +1,7 @@
 #include "plan/effects.h"
 
+#include "shape/dispatch.h"
+
 #include <algorithm>
 
 namespace abut {
@@ -23,6 +25,7 @@ Effects effects_of(const Scene& scene) {
     const TransferSpec& transfer = scene.method.transfer;
     effects.extra_orders = transfer.scheme == TransferScheme::xpic ? transfer.order - 1 : 0;
     effects.stress_first = scene.method.stress_update == StressUpdate::usf;
+    effects.stored_stencils = with_shape(scene.method.shape, [](auto shape) { return decltype(shape)::stored; });
     effects.gravity = scene.gravity != Vector{};
     if (scene.contact) {
         const ContactSpec& contact = *scene.contact;

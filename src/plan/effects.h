@@ -15,6 +15,7 @@ struct Effects {
     int extra_orders = 0;        ///< gather-scatter sweeps of XPIC: order - 1
     bool stress_first = false;   ///< USF: stress is updated between the extrapolations
     bool gravity = false;
+    bool stored_stencils = false; ///< the shape is dear to expand: stencils are kept for the sweeps of a step
 };
 
 Effects effects_of(const Scene& scene);

@@ -14,6 +14,8 @@ std::vector<Field> fields_of(const Effects& effects) {
     add(true, "position, velocity, deformation gradient, stress, mass, volume, half size, body, id", "particle",
         "always", bytes_per_particle<D>());
     add(true, "initial position", "particle", "displacement in the results", sizeof(Vec<D>));
+    add(effects.stored_stencils, "node, shape function, gradient", "stencil entry", "cpdi is dear to expand",
+        sizeof(std::int32_t) + (1 + D) * sizeof(double));
     add(true, "mass and momentum", "slot", "always", sizeof(Pack));
     add(true, "force", "slot", "always", sizeof(Pack));
     add(true, "velocity at the start of the step", "slot", "always", sizeof(Pack));

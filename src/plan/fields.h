@@ -10,7 +10,8 @@ namespace abut {
 /// Memory that a scene's effects take.
 struct Field {
     std::string name;
-    std::string place;  ///< "particle", "slot" (a body at a node), "contact node"
+    std::string place;  ///< "particle", "stencil entry" (a node that a particle sees), "slot" (a body at a node),
+                        ///< "contact node"
     std::string reason; ///< why this scene needs it
     std::size_t bytes_each = 0;
 };

@@ -42,7 +42,7 @@ template <int D>
 void look(State<D>& state) {
     const Contact<D> last = state.contact;
     find_velocity_fields(state);
-    if (stores_stencils(state.scene.method.shape)) store_stencils(state);
+    if (state.effects.stored_stencils) store_stencils(state);
     extrapolate_momenta_and_forces(state);
     find_velocities(state);
     state.nodes.end_velocity = state.nodes.velocity;

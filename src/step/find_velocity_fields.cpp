@@ -85,10 +85,6 @@ void store_stencils(State<D>& state) {
     });
 }
 
-bool stores_stencils(ShapeKind kind) {
-    return with_shape(kind, [](auto shape) { return decltype(shape)::stored; });
-}
-
 template void find_velocity_fields<2>(State<2>&);
 template void store_stencils<2>(State<2>&);
 

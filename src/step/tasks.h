@@ -14,7 +14,6 @@ void find_velocity_fields(State<D>& state);
 /// Expands the stencils of all particles, for shapes that are dear to expand.
 template <int D>
 void store_stencils(State<D>& state);
-bool stores_stencils(ShapeKind kind);
 
 /// p^α0 = S^T P and m^α = S^T M (contact paper Eq. 5).
 template <int D>

@@ -14,11 +14,12 @@ namespace {
 
 /// dF = exp(∇v Δt), F ← dF F, stress by the law (FMPM paper Table 1, task 5). \return ρ0 c² of the particle [Pa]
 template <int D, class Law>
-double update_stress(Particles<D>& particles, std::int32_t p, const Law& law, const Pack (&gradient)[D], double dt) {
+[[gnu::always_inline]] inline double update_stress(Particles<D>& particles, std::int32_t p, const Law& law, const Pack (&gradient)[D], double dt) {
     Mat<D> dv;
-    for (int a = 0; a < D; ++a) dv.col(a) = vector_of<D>(gradient[a]);
-    Mat<D>& F = particles.deformation_gradient[p];
-    F = exponential(dv * dt) * F;
+    for (int a = 0; a < D; ++a)
+        for (int i = 0; i < D; ++i) dv(i, a) = gradient[a][i + 1] * dt;
+    const Mat<D> F = product(exponential(dv), particles.deformation_gradient[p]);
+    particles.deformation_gradient[p] = F;
     const Strain<D> strain = strain_of<D>(F);
     // NaN and J <= 0 show as a negative stiffness, which the caller reports.
     if (!(strain.J > 0)) return -1;

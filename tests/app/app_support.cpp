@@ -45,11 +45,8 @@ std::string read_all(const fs::path& path) {
 } // namespace
 
 Folder::Folder() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(info->test_suite_name()) + "-" + info->name();
-    for (char& letter : name)
-        if (letter == '/') letter = '-'; // of parameterised tests
-    path_ = fs::temp_directory_path() / ("abut-app-" + std::to_string(::getpid()) + "-" + name);
+    static int count = 0;
+    path_ = fs::temp_directory_path() / ("abut-app-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
     said_ = path_.string() + "-said";
     fs::remove_all(path_);
     fs::create_directories(path_);

@@ -169,7 +169,7 @@ TEST_F(Results, SeriesHaveStrictlyIncreasingTimes) {
         for (std::size_t i = 0; i < 5; ++i) {
             EXPECT_TRUE(std::filesystem::exists(path(series.entries[i].file)));
             EXPECT_NEAR(series.entries[i].time, 1e-4 * static_cast<double>(i), 4e-6) << name;
-            if (i > 0) EXPECT_GT(series.entries[i].time, series.entries[i - 1].time) << name;
+            EXPECT_TRUE(i == 0 || series.entries[i].time > series.entries[i - 1].time) << name;
         }
     }
     EXPECT_EQ(read_points(path("particles/particles_00001.vtu")).time, read_pvd(path("particles.pvd")).entries[1].time);
@@ -193,8 +193,8 @@ TEST_F(Results, TimingHasTheKeysOfTheContract) {
 TEST_F(Results, SceneRunsAgainToTheSameHistory) {
     const Json scene = Json::parse(read("scene.json"));
     EXPECT_EQ(scene["abut_version"].get<std::string>() + "\n", folder()->abut({"--version"}).out.substr(5));
-    EXPECT_EQ(scene["time"]["cfl"], 0.4);      // a default
-    EXPECT_EQ(scene["grid"]["cell"][0], 1e-3); // SI units
+    EXPECT_EQ(scene["time"]["cfl"], 0.4);   // a default
+    EXPECT_EQ(scene["grid"]["cell"], 1e-3); // SI units
     const Folder again;
     again.write("copy.json", read("scene.json"));
     ASSERT_EQ(again.abut({"run", "copy.json", "-o", "again", "--quiet"}).exit_code, 0);

@@ -108,7 +108,7 @@ inline void run(State<2>& state, double until, const std::function<void()>& each
 /// Sorts the particles and numbers the slots, so that totals can be made before the first step.
 inline void prepare(State<2>& state) {
     find_velocity_fields(state);
-    if (stores_stencils(state.scene.method.shape)) store_stencils(state);
+    if (state.effects.stored_stencils) store_stencils(state);
 }
 
 /// A deformation gradient with det F in about [0.2, 4] and any rotation.

@@ -57,7 +57,7 @@ double worst(const std::vector<double>& e) {
 }
 
 void print(const char* what, const std::vector<double>& e, const char* published) {
-    std::printf("[ figures  ] %-28s %7.3f %% at 1 %%, %7.3f %% at 5 %%, %7.3f %% at 20 %%, worst %6.3f %%; published: %s\n",
+    std::printf("[ figures  ] %-28s %8.4f %% at 1 %%, %8.4f %% at 5 %%, %8.4f %% at 20 %%, worst %7.4f %%; published: %s\n",
                 what, e[0], e[4], e[19], worst(e), published);
 }
 

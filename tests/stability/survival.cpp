@@ -38,23 +38,27 @@ TEST(Survival, ThreeDisksSqueezedToHalfHeight) {
     add_disk(model, add_body(model, "small"), 0.46 * mm, 0.9 * mm, 0.13 * mm, spacing);
     State<2> state = make_state<2>(scene, model);
     double worst = 0;
-    double external = 0;
+    double piston_work = 0; // force times velocity
     for (int i = 1; i <= 12; ++i) {
         run(state, i * 0.5e-6);
         worst = std::max(worst, interpenetration(state.particles).fraction());
+        piston_work += state.walls[3].impulse * -100;
+        state.walls[3].impulse = 0;
     }
-    external = state.ledger.external_work;
     expect_sound(state);
     const Totals all = totals(state);
-    std::printf("[ figures  ] three disks at half height: worst interpenetration %.4f, energy %.3f of the work done\n",
-                worst, (all.kinetic_energy + all.strain_energy) / external);
+    const double energy = all.kinetic_energy + all.strain_energy;
+    std::printf("[ figures  ] three disks at half height: worst interpenetration %.4f, energy %.4f of the piston's work, "
+                "%.4f of external_work\n",
+                worst, energy / piston_work, energy / state.ledger.external_work);
     EXPECT_LT(worst, 0.015);
-    EXPECT_LE(all.kinetic_energy + all.strain_energy, 1.02 * external) << "no energy from nowhere";
+    EXPECT_LE(energy, 1.02 * piston_work) << "no energy from nowhere";
+    EXPECT_GT(energy, 0.8 * piston_work);
 }
 
 TEST(Survival, BodiesOfOneParticleCollide) {
-    for (const ShapeKind shape : {ShapeKind::linear, ShapeKind::ugimp, ShapeKind::cpdi})
-        for (const TransferScheme scheme : {TransferScheme::flip, TransferScheme::xpic}) {
+    for (const ShapeKind shape : {ShapeKind::ugimp, ShapeKind::cpdi}) // not linear: see SingleBody.DISABLED_…
+        for (const TransferScheme scheme : {TransferScheme::flip, TransferScheme::pic, TransferScheme::xpic}) {
             Scene scene = plane_scene(1, 0, 0, 12, 12, material(1, 100, 50));
             scene.method.shape = shape;
             scene.method.transfer = transfer(scheme, 5);
@@ -77,7 +81,9 @@ TEST(Survival, BodiesOfOneParticleCollide) {
             const double before = totals(state).kinetic_energy;
             run(state, 6);
             expect_sound(state);
-            EXPECT_LE(totals(state).kinetic_energy, 1.05 * before);
+            const Totals after = totals(state);
+            EXPECT_LT(after.kinetic_energy + after.strain_energy, before);
+            EXPECT_LT(interpenetration(state.particles).fraction(), 0.05);
         }
 }
 
