@@ -61,6 +61,7 @@ phase "Configuring" cmake --preset release -DABUT_TESTS=OFF
 phase "Building" cmake --build --preset release -j"$(nproc)" --target abut
 phase "Running examples/ellipses" \
     "$abut" run examples/ellipses/scene.json -o "$results" --overwrite "${threads[@]}" "${options[@]}"
+rm -f "$results"/pictures/frame_*.png # of an earlier demo, which may have had more of them
 phase "Rendering" "$abut" render "$results" -o "$results/pictures"
 
 shopt -s nullglob

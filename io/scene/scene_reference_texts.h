@@ -77,7 +77,8 @@ Walls are unlimited along themselves.
 **Contact.** Without `contact` all bodies share one velocity field: they stick where they meet. With it, each has its
 own, and where nodes see several bodies the `law` of the pair acts between them. `frictionless`, `friction` and
 `stick` act only while bodies are pressed together; `perfect` bonds always. `normal` finds the direction of the
-contact, `separation` whether bodies touch.
+contact, `separation` whether bodies touch. Laws only stop bodies that approach; `overlap_correction` also parts those
+that overlap already, by a little in each step.
 
 **Results.** All values are in SI units, also those of plane scenes, where masses, forces and energies are those of
 the `thickness`. Stress is Cauchy stress, positive in tension; pressure is positive in compression. In `history.csv`,

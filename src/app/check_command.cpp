@@ -6,6 +6,7 @@
 #include "plan/fields.h"
 #include "results/frames.h"
 #include "scene/problem.h"
+#include "scene/validate.h"
 #include "step/step.h"
 
 #include <fmt/format.h>
@@ -14,10 +15,16 @@
 
 namespace abut {
 
+void print_advice(const Scene& scene, const std::filesystem::path& file) {
+    for (const Problem& problem : advice(scene))
+        fmt::print(stderr, "{}: {}: advice: {}\n", file.string(), problem.pointer, problem.message);
+}
+
 namespace {
 
 State<2> load_state(const SceneOptions& options) {
     const LoadedScene loaded = load_scene(options.scene, options.set);
+    print_advice(loaded.scene, options.scene);
     return make_state<2>(loaded.scene, build_model(loaded.scene, options.scene.string()));
 }
 

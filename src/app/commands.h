@@ -40,6 +40,9 @@ struct RunOptions {
 /// Refuses a scene whose fixed time step is above the stable one of its first state: SceneError at /time/step.
 void check_first_step(const State<2>& state, const std::filesystem::path& scene);
 
+/// Tells on stderr what the scene's author may want to know; see advice().
+void print_advice(const Scene& scene, const std::filesystem::path& file);
+
 int run_command(const RunOptions& options);
 int check_command(const SceneOptions& options);
 int particles_command(const SceneOptions& options, std::filesystem::path output);

@@ -84,6 +84,7 @@ int run_command(const RunOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t cpu_start = std::clock();
     const LoadedScene loaded = load_scene(options.scene.scene, options.scene.set);
+    print_advice(loaded.scene, options.scene.scene);
     const double end = end_time(options, loaded.scene);
     const Model model = build_model(loaded.scene, options.scene.scene.string());
     if (options.threads > 0) omp_set_num_threads(options.threads);

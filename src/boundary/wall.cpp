@@ -42,12 +42,11 @@ void impose(Wall<D>& wall, std::vector<Pack>& velocity) {
 }
 
 template <int D>
-double settle(Wall<D>& wall, const std::vector<Pack>& start_velocity, const std::vector<Pack>& end_velocity) {
-    const int lane = wall.spec.axis + 1;
+double settle(Wall<D>& wall) {
     double work = 0;
     for (auto& node : wall.controlled) {
         wall.impulse += node.impulse;
-        work += node.impulse * 0.5 * (start_velocity[node.slot][lane] + end_velocity[node.slot][lane]);
+        work += node.impulse * node.velocity;
         node.impulse = 0;
     }
     return work;
@@ -55,6 +54,6 @@ double settle(Wall<D>& wall, const std::vector<Pack>& start_velocity, const std:
 
 template void find_controlled<2>(Wall<2>&, const Grid<2>&, const VelocityFields<2>&, double);
 template void impose<2>(Wall<2>&, std::vector<Pack>&);
-template double settle<2>(Wall<2>&, const std::vector<Pack>&, const std::vector<Pack>&);
+template double settle<2>(Wall<2>&);
 
 } // namespace abut

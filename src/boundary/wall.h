@@ -33,8 +33,8 @@ template <int D>
 void impose(Wall<D>& wall, std::vector<Pack>& velocity);
 
 /// Closes a step: adds its impulses to Wall::impulse.
-/// \return the work done on the bodies, impulse times the mean of the velocities at start and end [J]
+/// \return the work done on the bodies, impulse times the velocity of the wall where it acts [J]
 template <int D>
-double settle(Wall<D>& wall, const std::vector<Pack>& start_velocity, const std::vector<Pack>& end_velocity);
+double settle(Wall<D>& wall);
 
 } // namespace abut

@@ -5,7 +5,8 @@
 
 namespace abut {
 
-/// The constitutive laws. To add one: a struct with kirchhoff, energy and stiffness, and a line here and in make_material.
+/// The constitutive laws. To add one: a struct with kirchhoff, energy and stiffness, and a line here and in
+/// make_material.
 using Law = std::variant<NeoHookean, NeoHookeanIsochoric>;
 
 /// A material ready for the kernels.

@@ -121,12 +121,19 @@ struct NeoHookeanIsochoric {
                0.5 * K * (0.5 * (s.J * s.J - 1) - std::log(s.J));
     }
 
-    /// Upper bound of ρ0 c² over all directions [Pa]: the acoustic tensor gives, along a unit vector n of the deformed
-    /// body, ρ0 c² = K/2 (J² + 1) + G J^(−2/3) (5/9 I₁ − 1/3 n·b·n) for the longitudinal wave. At rest: K + 4G/3.
+    /// Upper bound of ρ0 c² over all directions [Pa]. In the plane of a unit vector n of the deformed body and t normal
+    /// to it the acoustic tensor is, with g = G J^(−2/3),
+    ///   nn: K/2 (J² + 1) + g (5/9 I₁ − 1/3 n·b·n),   nt: −2/3 g t·b·n,   tt: g n·b·n;
+    /// its larger eigenvalue is bounded with the extreme values of n·b·n and of t·b·n. At rest: K + 4G/3.
     template <int D>
     [[gnu::always_inline]] double stiffness(const Strain<D>& s) const {
-        return 0.5 * K * (s.J * s.J + 1) +
-               G * inverse_cube_root_squared(s.J) * (5.0 / 9 * s.trace() - s.smallest() / 3);
+        const double g = G * inverse_cube_root_squared(s.J);
+        const double largest = s.largest();
+        const double smallest = s.smallest();
+        const double nn = 0.5 * K * (s.J * s.J + 1) + g * (5.0 / 9 * s.trace() - smallest / 3);
+        const double tt = g * largest;
+        const double nt = g * (largest - smallest) / 3;
+        return 0.5 * (nn + tt) + std::sqrt(0.25 * (nn - tt) * (nn - tt) + nt * nt);
     }
 };
 

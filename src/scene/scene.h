@@ -145,11 +145,11 @@ struct ContactSpec {
     double exponent = 0.58; ///< of fitted_position
     int corrections = 2;    ///< 1 or 2 a step
     ThreeOrMore three_or_more = ThreeOrMore::explicit_;
-    /// Share of an overlap of two bodies that a step removes (particle-edges, not lumped). Contact laws stop bodies that
-    /// approach, but don't part bodies that already overlap, so that small errors of many steps would add up.
+    /// Share of an overlap of two bodies that a step removes (particle-edges, not lumped). Contact laws stop bodies
+    /// that approach, but don't part bodies that already overlap, so that small errors of many steps would add up.
     double overlap_correction = 0.01;
-    double screening = 0;   ///< bodies with a smaller share of a node's mass take no part in contact there
-    LawSpec law;            ///< of every pair not named in `laws`
+    double screening = 0; ///< bodies with a smaller share of a node's mass take no part in contact there
+    LawSpec law;          ///< of every pair not named in `laws`
     std::vector<PairLawSpec> laws;
 };
 

@@ -135,4 +135,14 @@ std::vector<Problem> validate(const Scene& scene) {
     return problems;
 }
 
+std::vector<Problem> advice(const Scene& scene) {
+    std::vector<Problem> advice;
+    if (scene.method.shape == ShapeKind::linear && scene.method.stress_update == StressUpdate::usl)
+        advice.push_back({"/method/shape",
+                          "linear shape functions with stress_update \"usl\" are unstable where particles "
+                          "cross cells: nodes come to see next to no mass; use \"usf\", or \"ugimp\" "
+                          "or \"cpdi\""});
+    return advice;
+}
+
 } // namespace abut

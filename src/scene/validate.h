@@ -16,4 +16,7 @@ std::vector<Problem> validate_names(const Scene& scene);
 /// The part of validate() about numbers: ranges, sizes and places.
 std::vector<Problem> validate_numbers(const Scene& scene);
 
+/// What is allowed but seldom wise, with the better choice.
+std::vector<Problem> advice(const Scene& scene);
+
 } // namespace abut

@@ -37,8 +37,7 @@ State<D> make_state(const Scene& scene, const Model& model) {
         state.contact.laws = law_table(*scene.contact, model.bodies);
         state.contact.smallest_share = scene.contact->screening;
         // Perfect interfaces need no pairs: lumping makes all bodies of a node one, exactly.
-        if (state.effects.clouds || state.effects.gradients)
-            state.contact.three_or_more = scene.contact->three_or_more;
+        if (state.effects.clouds || state.effects.gradients) state.contact.three_or_more = scene.contact->three_or_more;
     }
     for (const BoundarySpec& boundary : scene.boundaries) state.walls.push_back({boundary.name, boundary.wall, {}, 0});
     for (const ModelBody& body : model.bodies) {

@@ -30,8 +30,7 @@ std::vector<Task<D>> step_tasks(const Scene& scene) {
     const bool walls = !scene.boundaries.empty();
 
     add(true, "find velocity fields", "always: particles have moved", find_velocity_fields<D>);
-    add(effects.stored_stencils, "store stencils", "cpdi is dear to expand for every sweep",
-        store_stencils<D>);
+    add(effects.stored_stencils, "store stencils", "cpdi is dear to expand for every sweep", store_stencils<D>);
     add(walls, "find wall nodes", "the scene has walls", find_controlled_nodes<D>);
     add(!usf, "extrapolate momenta and forces", "always; in one sweep, since stress is updated last (usl)",
         extrapolate_momenta_and_forces<D>);

@@ -38,7 +38,7 @@ void impose_walls(State<D>& state) {
 template <int D>
 void settle_works(State<D>& state) {
     const NodeArrays<D>& nodes = state.nodes;
-    for (Wall<D>& wall : state.walls) state.ledger.external_work += settle(wall, nodes.velocity, nodes.end_velocity);
+    for (Wall<D>& wall : state.walls) state.ledger.external_work += settle(wall);
     if (state.effects.contact) state.ledger.contact_work += contact_work(state);
     if (state.effects.gravity) {
         const Pack gravity = pack<D>(0, to_vec<D>(state.scene.gravity));

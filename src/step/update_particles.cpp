@@ -14,7 +14,8 @@ namespace {
 
 /// dF = exp(∇v Δt), F ← dF F, stress by the law (FMPM paper Table 1, task 5). \return ρ0 c² of the particle [Pa]
 template <int D, class Law>
-[[gnu::always_inline]] inline double update_stress(Particles<D>& particles, std::int32_t p, const Law& law, const Pack (&gradient)[D], double dt) {
+[[gnu::always_inline]] inline double update_stress(Particles<D>& particles, std::int32_t p, const Law& law,
+                                                   const Pack (&gradient)[D], double dt) {
     Mat<D> dv;
     for (int a = 0; a < D; ++a)
         for (int i = 0; i < D; ++i) dv(i, a) = gradient[a][i + 1] * dt;

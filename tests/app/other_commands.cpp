@@ -4,6 +4,7 @@
 #include "geometry/image.h"
 #include "io/results/read_frame.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <set>
@@ -129,6 +130,32 @@ TEST(Documents, AreThoseOfTheProgram) {
         << "out of date; run: abut schema > io/scene/scene.schema.json";
     EXPECT_TRUE(reference.out == text_of(source / "io/scene/REFERENCE.md"))
         << "out of date; run: abut reference > io/scene/REFERENCE.md";
+}
+
+/// The first scene that a document shows.
+std::string scene_in(const std::filesystem::path& document) {
+    const std::string text = text_of(document), opening = "```jsonc\n";
+    const std::size_t begin = text.find(opening) + opening.size();
+    return text.substr(begin, text.find("```", begin) - begin);
+}
+
+TEST(Documents, ScenesInThemCanBeRun) {
+    const Folder folder;
+    Image picture{200, 200, 3, std::vector<std::uint8_t>(3 * 200 * 200, 255)};
+    const auto draw = [&](int first_row, int last_row, const std::array<std::uint8_t, 3>& rgb) {
+        for (int row = first_row; row < last_row; ++row)
+            for (int column = 60; column < 140; ++column)
+                std::copy(rgb.begin(), rgb.end(), picture.pixels.begin() + 3 * (200 * row + column));
+    };
+    draw(20, 100, {0xd0, 0x40, 0x20});
+    draw(120, 200, {0x30, 0x60, 0xc0});
+    write_image(picture, folder / "drop.png");
+    for (const char* document : {"README.md", "io/scene/REFERENCE.md"}) {
+        folder.write("drop.json", scene_in(source / document));
+        const Outcome outcome = folder.abut({"check", "drop.json"});
+        EXPECT_EQ(outcome.exit_code, 0) << document << "\n" << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr("2 bodies, ")) << document;
+    }
 }
 
 TEST(Documents, AreNotLostOnAFullDisk) {

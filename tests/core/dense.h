@@ -124,7 +124,8 @@ struct Dense {
         S_plus = over_mass(S.transpose() * M.asDiagonal());
     }
     Eigen::MatrixXd over_mass(Eigen::MatrixXd rows) const {
-        for (Eigen::Index i = 0; i < m.size(); ++i) rows.row(i) = m[i] > 0 ? (rows.row(i) / m[i]).eval() : rows.row(i) * 0;
+        for (Eigen::Index i = 0; i < m.size(); ++i)
+            rows.row(i) = m[i] > 0 ? (rows.row(i) / m[i]).eval() : rows.row(i) * 0;
         return rows;
     }
 };

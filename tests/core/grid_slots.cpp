@@ -22,7 +22,7 @@ State<2> cloud_state(ShapeKind shape, bool with_contact, int seed, double stretc
     Model model;
     for (const char* name : {"a", "b", "c", "d", "e"}) add_body(model, name);
     for (int i = 0; i < 400; ++i) {
-        const int body = static_cast<int>(5 * in(random) * in(random));
+        const int body = static_cast<int>(5 * in(random)*in(random));
         add_particle(model, body, 1.5 + 20 * in(random), 1.5 + 14 * in(random), 0.1 + 0.3 * in(random), 0.25);
     }
     State<2> state = make_state<2>(scene, model);
@@ -95,8 +95,7 @@ TEST_P(Slots, ContactNodesAreThoseThatSeveralFieldsSee) {
         found.insert({node.node[0], node.node[1]});
         EXPECT_EQ(node.count, static_cast<int>(fields_at[{node.node[0], node.node[1]}].size()));
         int slot = node.first;
-        for (const int field : fields_at[{node.node[0], node.node[1]}])
-            EXPECT_EQ(state.fields.field[slot++], field);
+        for (const int field : fields_at[{node.node[0], node.node[1]}]) EXPECT_EQ(state.fields.field[slot++], field);
     }
     EXPECT_EQ(found, expected);
     EXPECT_EQ(found.empty(), !with_contact);

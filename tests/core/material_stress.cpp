@@ -131,8 +131,8 @@ double largest_acoustic(const Law& law, const Mat<2>& F) {
             const double at = M_PI * i / 36;
             const double an = M_PI * j / 36;
             Mat<3> direction = Mat<3>::Zero();
-            direction.topLeftCorner<2, 2>() = Vec<2>(std::cos(at), std::sin(at)) *
-                                              Vec<2>(std::cos(an), std::sin(an)).transpose();
+            direction.topLeftCorner<2, 2>() =
+                Vec<2>(std::cos(at), std::sin(at)) * Vec<2>(std::cos(an), std::sin(an)).transpose();
             const auto W = [&](long double e) {
                 return energy(law, (Mat<3>::Identity().cast<long double>() + e * direction.cast<long double>()) *
                                        embed(F).cast<long double>());
@@ -154,9 +154,8 @@ TEST(Material, StiffnessBoundsTheWaveSpeedOfEveryDirection) {
         }
 }
 
-/// Not so (to be mended): NeoHookeanIsochoric::stiffness takes the longitudinal wave for the fastest; where b differs
-/// much between directions the fastest polarisation is not along n.
-TEST(Material, DISABLED_StiffnessBoundsTheWaveSpeedInLargeShear) {
+/// Where b differs much between directions the fastest polarisation is not along n.
+TEST(Material, StiffnessBoundsTheWaveSpeedInLargeShear) {
     for (const Law& law : laws())
         for (const double shear : {1.0, 2.0, 3.0, 5.0}) {
             Mat<2> F;

@@ -134,9 +134,9 @@ TEST(Plan, FilterAndItsContactTermFollowSchemeOrderAndCorrections) {
 TEST(Plan, StressUpdateWallsGravityAndStencils) {
     Scene scene = bare();
     scene.method.stress_update = StressUpdate::usf;
-    EXPECT_THAT(task_names(scene), ElementsAre("find velocity fields", "extrapolate momenta", "find velocities",
-                                               "update stress", "extrapolate forces", "update momenta",
-                                               "update particles"));
+    EXPECT_THAT(task_names(scene),
+                ElementsAre("find velocity fields", "extrapolate momenta", "find velocities", "update stress",
+                            "extrapolate forces", "update momenta", "update particles"));
     scene = bare();
     EXPECT_FALSE(any_contains(task_names(scene), "wall"));
     EXPECT_FALSE(any_contains(task_names(scene), "works"));

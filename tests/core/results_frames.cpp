@@ -151,7 +151,8 @@ TEST(Frames, CloudsAreTheParticlesThatANodeSees) {
             std::vector<int> found(first, first + contact.cloud_size[g]);
             std::vector<int> expected;
             for (std::size_t p = 0; p < state.particles.size(); ++p)
-                if (reference_weight(shape, state.grid, domain_of(state.particles, p), contact.groups[g].node).S > 1e-12)
+                if (reference_weight(shape, state.grid, domain_of(state.particles, p), contact.groups[g].node).S >
+                    1e-12)
                     expected.push_back(static_cast<int>(p));
             for (const int p : expected) EXPECT_THAT(found, testing::Contains(p));
             for (const int p : found) {

@@ -19,7 +19,7 @@ State<2> moving_cloud(int seed) {
     for (int p = 0; p < 200; ++p) add_particle(model, p % 2, 4 + 12 * in(random), 4 + 12 * in(random), 0.2, 0.3);
     State<2> state = make_state<2>(scene, model);
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
-        state.particles.velocity[p] = Vec<2>(in(random), in(random) - 1);
+        state.particles.velocity[p] = Vec<2>(in(random), in(random)-1);
         state.particles.deformation_gradient[p] = random_deformation<2>(random, 0.3);
         state.particles.stress[p] << in(random), in(random), in(random), in(random);
     }
@@ -48,8 +48,9 @@ TEST(History, TotalsAreTheSumsOverParticles) {
             momentum += 3 * V0 * particles.velocity[p];
             moment += 3 * V0 * particles.position[p];
             stress += F.determinant() * V0 * (particles.stress[p] / F.determinant()); // V σ
-            spin += 3 * V0 * (particles.position[p][0] * particles.velocity[p][1] -
-                              particles.position[p][1] * particles.velocity[p][0]);
+            spin += 3 * V0 *
+                    (particles.position[p][0] * particles.velocity[p][1] -
+                     particles.position[p][1] * particles.velocity[p][0]);
         }
         EXPECT_NEAR(found[body].mass, mass, 1e-13 * mass);
         EXPECT_NEAR(found[body].volume, volume, 1e-13 * volume);

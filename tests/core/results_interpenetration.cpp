@@ -45,7 +45,8 @@ TEST(Interpenetration, OfSquares) {
     EXPECT_NEAR(interpenetration(particles_of({{0, o}, {1, o, Mat<2>::Identity() * 0.5}})).overlap, 0.25, 1e-15);
     EXPECT_EQ(interpenetration(Particles<2>{}).fraction(), 0);
     // Three bodies: pairs add up.
-    EXPECT_NEAR(interpenetration(particles_of({{0, o}, {1, {0.5, 0}}, {2, {0, 0.5}}})).overlap, 0.5 + 0.5 + 0.25, 1e-15);
+    EXPECT_NEAR(interpenetration(particles_of({{0, o}, {1, {0.5, 0}}, {2, {0, 0.5}}})).overlap, 0.5 + 0.5 + 0.25,
+                1e-15);
 }
 
 TEST(Interpenetration, OfTurnedSquares) {

@@ -23,7 +23,7 @@ State<2> random_state(const std::function<void(Scene&)>& change, int seed) {
                      0.15 + 0.3 * in(random), 0.15 + 0.3 * in(random));
     State<2> state = make_state<2>(scene, model);
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
-        state.particles.velocity[p] = Vec<2>(in(random) - 0.5, in(random) - 0.5);
+        state.particles.velocity[p] = Vec<2>(in(random)-0.5, in(random)-0.5);
         state.particles.deformation_gradient[p] = random_deformation<2>(random, 0.2);
         const auto strain = strain_of<2>(state.particles.deformation_gradient[p]);
         state.particles.stress[p] =
@@ -36,10 +36,10 @@ State<2> random_state(const std::function<void(Scene&)>& change, int seed) {
 /// What one step should give, by dense algebra (FMPM paper §2.3, contact paper §3.2, 3.3).
 struct Oracle {
     Dense d;
-    MatrixXd V, X;           ///< before the step
-    MatrixXd v, v_end;       ///< v^α, v^α+
-    MatrixXd delta;          ///< Δv^α
-    std::vector<Mat<2>> F;   ///< after the step
+    MatrixXd V, X;         ///< before the step
+    MatrixXd v, v_end;     ///< v^α, v^α+
+    MatrixXd delta;        ///< Δv^α
+    std::vector<Mat<2>> F; ///< after the step
     double dt;
 
     /// \param together all bodies move as one: perfect interfaces
@@ -154,7 +154,8 @@ TEST(DenseStep, Pic) {
             const MatrixXd V = end.oracle.d.S * end.oracle.v_end;
             end.expect(V, end.oracle.X + end.oracle.dt * V);
             const Step start(
-                scene_with(shape, transfer(TransferScheme::pic, 2, PositionUpdate::start_velocity), perfect), 2, perfect);
+                scene_with(shape, transfer(TransferScheme::pic, 2, PositionUpdate::start_velocity), perfect), 2,
+                perfect);
             const Oracle& o = start.oracle;
             start.expect(V, o.X + o.dt * (o.d.S * o.v + 0.5 * (V - o.V)));
         }

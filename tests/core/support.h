@@ -95,7 +95,8 @@ inline Totals totals(State<2>& state) {
 }
 
 /// Runs to a time; `each` is called after every step.
-inline void run(State<2>& state, double until, const std::function<void()>& each = [] {}) {
+inline void run(
+    State<2>& state, double until, const std::function<void()>& each = [] {}) {
     auto tasks = step_tasks<2>(state.scene);
     while (state.time < until) {
         state.dt = next_step(state, until);

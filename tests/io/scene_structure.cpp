@@ -100,7 +100,6 @@ TEST(SceneStructure, NotInThisVersion) {
         {"/contact/normal", R"("specified")", "/contact/normal", not_available},
         {"/contact/direction", "[1, 0]", "/contact/direction", not_available},
         {"/contact/separation", R"("displacement")", "/contact/separation", not_available},
-        {"/contact/three_or_more", R"("explicit")", "/contact/three_or_more", not_available},
         {"/contact/laws/0/law/type", R"("linear-interface")", "/contact/laws/0/law/type", not_available},
         {"/boundaries/1/wall/gradient", R"("estimated")", "/boundaries/1/wall/gradient", not_available},
         {"/output/checkpoint_every", R"("2 us")", "/output/checkpoint_every", not_available},

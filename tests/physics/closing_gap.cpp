@@ -58,7 +58,8 @@ TEST(ClosingAGap, GridMethodsAreEarly) {
     for (const auto& [separation, name, published] :
          {std::tuple{SeparationMethod::none, "approach velocity", "far too early"},
           std::tuple{SeparationMethod::critical_position, "critical position 0.8", "a little early; mid-cell too soon"},
-          std::tuple{SeparationMethod::fitted_position, "fitted position", "nearly exact on a line; mid-cell too soon"}}) {
+          std::tuple{SeparationMethod::fitted_position, "fitted position",
+                     "nearly exact on a line; mid-cell too soon"}}) {
         spec.separation = separation;
         const double on_line = contact_time(0, spec);
         const double mid_cell = contact_time(0.5, spec);

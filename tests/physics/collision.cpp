@@ -16,8 +16,7 @@ struct Collision {
     Totals before;
     double worst_momentum = 0; ///< change of momentum over the momentum of one disk
 
-    Collision(LawSpec law, double impact, TransferSpec scheme, double cell)
-        : state(make(law, impact, scheme, cell)) {
+    Collision(LawSpec law, double impact, TransferSpec scheme, double cell) : state(make(law, impact, scheme, cell)) {
         prepare(state);
         before = totals(state);
         const double scale = body_totals(state)[0].mass * 0.1;
@@ -90,8 +89,15 @@ TEST(Collision, ObliqueWithFriction) {
         EXPECT_LT(smooth.worst_momentum, 1e-11);
         const auto bodies = body_totals(rough.state);
         const auto free = body_totals(smooth.state);
-        EXPECT_GT(std::abs(bodies[0].angular_velocity_z()), 0.005);
-        EXPECT_GT(std::abs(bodies[0].angular_velocity_z()), 5 * std::abs(free[0].angular_velocity_z()));
+        // Rigid disks that meet under 30° and stick: 3 x 2 J_t/m takes away the sliding of 0.1, and each disk turns
+        // with 2 J_t/m = 1/30; if the tangential compliance gives all of it back, with twice that.
+        const double spin = std::abs(bodies[0].angular_velocity_z());
+        std::printf(
+            "[ figures  ] spin %.4f, rigid disks 0.0333 to 0.0667; without friction %.4f (steps in the outline)\n",
+            spin, std::abs(free[0].angular_velocity_z()));
+        EXPECT_GT(spin, 1.0 / 30);
+        EXPECT_LT(spin, 2.0 / 30);
+        EXPECT_LT(std::abs(free[0].angular_velocity_z()), 0.5 / 30);
         EXPECT_NEAR(bodies[0].angular_velocity_z(), bodies[1].angular_velocity_z(), 1e-8) << "point symmetry";
         EXPECT_NEAR(bodies[0].mean_velocity()[1], -bodies[1].mean_velocity()[1], 1e-8);
         // The ledger: friction takes energy, and what friction takes is gone.
@@ -128,25 +134,32 @@ TEST(Collision, OfThreeBodiesAtOnceConservesMomentum) {
     EXPECT_LT(state.ledger.contact_work, 1e-3 * before.kinetic_energy);
 }
 
-TEST(Collision, OfBodiesOfVeryDifferentMass) {
-    Scene scene = plane_scene(0.125, -4, -3, 4, 3, material(1, 8, 4));
-    MaterialSpec light = material(0.01, 8, 4);
-    scene.materials.push_back(light);
+/// Coefficient of restitution of a light disk that a disk of the same stiffness and a hundred times its mass hits.
+double restitution(double cell) {
+    Scene scene = plane_scene(cell, -4, -3, 4, 3, material(1, 8, 4));
+    scene.materials.push_back(material(0.01, 8, 4));
     scene.contact = contact(LawType::frictionless);
     Model model;
-    add_disk(model, add_body(model, "heavy", {0.05, 0, 0}), -1.25, 0, 1, 0.0625);
-    add_disk(model, add_body(model, "light", {0, 0, 0}), 1.25, 0, 1, 0.0625);
+    add_disk(model, add_body(model, "heavy", {0.05, 0, 0}), -1.05, 0, 1, cell / 2);
+    add_disk(model, add_body(model, "light", {0, 0, 0}), 1.05, 0, 1, cell / 2);
     model.bodies[1].material = 1;
     State<2> state = make_state<2>(scene, model);
     prepare(state);
     const double before = totals(state).momentum[0];
-    run(state, 15);
+    run(state, 4);
     EXPECT_NEAR(totals(state).momentum[0] / before, 1, 1e-11);
     const auto bodies = body_totals(state);
-    const double e = (bodies[1].mean_velocity()[0] - bodies[0].mean_velocity()[0]) / 0.05;
-    std::printf("[ figures  ] mass ratio 100: coefficient of restitution %.3f\n", e);
-    EXPECT_GT(e, 0.7);
-    EXPECT_LT(e, 1.02);
+    return (bodies[1].mean_velocity()[0] - bodies[0].mean_velocity()[0]) / 0.05;
+}
+
+TEST(Collision, OfBodiesOfVeryDifferentMass) {
+    // Not 1: the heavy disk carries energy off in waves before the light one has left it.
+    const double coarse = restitution(0.25);
+    const double fine = restitution(0.125);
+    std::printf("[ figures  ] mass ratio 100: restitution %.3f, twice as fine %.3f\n", coarse, fine);
+    EXPECT_GT(fine, 0.5);
+    EXPECT_LT(fine, 1);
+    EXPECT_NEAR(coarse, fine, 0.05);
 }
 
 } // namespace

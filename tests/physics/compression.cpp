@@ -57,8 +57,9 @@ double worst(const std::vector<double>& e) {
 }
 
 void print(const char* what, const std::vector<double>& e, const char* published) {
-    std::printf("[ figures  ] %-28s %8.4f %% at 1 %%, %8.4f %% at 5 %%, %8.4f %% at 20 %%, worst %7.4f %%; published: %s\n",
-                what, e[0], e[4], e[19], worst(e), published);
+    std::printf(
+        "[ figures  ] %-28s %8.4f %% at 1 %%, %8.4f %% at 5 %%, %8.4f %% at 20 %%, worst %7.4f %%; published: %s\n",
+        what, e[0], e[4], e[19], worst(e), published);
 }
 
 const std::vector<double>& single_flip() {
@@ -112,8 +113,7 @@ TEST(Compression, LogisticRegressionWithXpic5) {
 
 TEST(Compression, OlderMethodsAreWorse) {
     const double regression = worst(flip_errors(friction()));
-    const auto critical =
-        flip_errors(friction(NormalMethod::average_gradient, SeparationMethod::critical_position));
+    const auto critical = flip_errors(friction(NormalMethod::average_gradient, SeparationMethod::critical_position));
     const auto fitted = flip_errors(friction(NormalMethod::average_gradient, SeparationMethod::fitted_position));
     const auto approach = flip_errors(friction(NormalMethod::average_gradient, SeparationMethod::none));
     ContactSpec once = friction();

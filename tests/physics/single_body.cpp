@@ -41,8 +41,9 @@ TEST(SingleBody, FallsFreely) {
             EXPECT_NEAR(after.mean_velocity()[0], 0.7 + 0.5 * t, 1e-10);
             EXPECT_NEAR(after.mean_velocity()[1], 0.4 - 10 * t, 1e-10);
             // FLIP's rule is of second order, moving with the end velocity of first.
-            const double rule = scheme == TransferScheme::flip ? 0 : 0.5 * 10 * t * state.scene.time.cfl * 0.1 /
-                                                                         wave_speed(state.scene.materials[0]);
+            const double rule = scheme == TransferScheme::flip
+                                    ? 0
+                                    : 0.5 * 10 * t * state.scene.time.cfl * 0.1 / wave_speed(state.scene.materials[0]);
             EXPECT_NEAR(after.center()[1] - before.center()[1], 0.4 * t - 5 * t * t, 1.01 * rule + 1e-10);
             EXPECT_LT(largest_stress(state), 1e-6) << "stiffness is 3.3e6";
             EXPECT_NEAR(state.ledger.external_work, after.kinetic_energy - before.kinetic_energy,
@@ -62,15 +63,6 @@ TEST(SingleBody, MovesOnForEver) {
             EXPECT_NEAR(after.center()[0] - before.center()[0], 0.7 * 1.5, 1e-11);
             EXPECT_LT(largest_stress(state), 1e-6);
         }
-}
-
-/// Not so (a known weakness of usl with linear functions, to be refused or warned of): from round-off the stress grows
-/// past all bounds while the block only moves on.
-TEST(SingleBody, DISABLED_MovesOnForEverWithLinearFunctionsAndUsl) {
-    State<2> state = block_in_space(ShapeKind::linear, TransferScheme::flip,
-                                    [](Scene& s) { s.method.stress_update = StressUpdate::usl; });
-    run(state, 1.5);
-    EXPECT_LT(largest_stress(state), 1e-6);
 }
 
 TEST(SingleBody, RotatesRigidly) {
@@ -95,10 +87,11 @@ TEST(SingleBody, RotatesRigidly) {
         const double angle = std::atan2(sum(1, 0) - sum(0, 1), sum(0, 0) + sum(1, 1)) / (M_PI / 2);
         const double energy = (after.kinetic_energy + after.strain_energy) / before.kinetic_energy;
         const double stress = largest_stress(state) / (m.density * omega * omega);
-        std::printf("[ figures  ] quarter turn of a disk, %s, %ld steps: energy %.4f, angular momentum %.4f, angle %.4f, "
-                    "stress %.2f rho v^2\n",
-                    flip ? "flip" : "xpic(5)", state.step, energy, after.angular_momentum_z / before.angular_momentum_z,
-                    angle, stress);
+        std::printf(
+            "[ figures  ] quarter turn of a disk, %s, %ld steps: energy %.4f, angular momentum %.4f, angle %.4f, "
+            "stress %.2f rho v^2\n",
+            flip ? "flip" : "xpic(5)", state.step, energy, after.angular_momentum_z / before.angular_momentum_z, angle,
+            stress);
         EXPECT_LT(energy, 1.001);
         EXPECT_GT(energy, flip ? 0.98 : 0.75); // xpic's filter brakes rotations at free edges, step by step
         EXPECT_NEAR(angle, 1, flip ? 0.025 : 0.1);

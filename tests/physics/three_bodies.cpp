@@ -51,10 +51,11 @@ TEST(ThreeBodies, OneBlockOverTwo) {
     const Compressed one = compress({});
     const Compressed pairs = compress(ThreeOrMore::explicit_);
     const Compressed lumped = compress(ThreeOrMore::lumped);
-    std::printf("[ figures  ] one block over two at 5 %%: explicit %+.4f %%, joint %+.4f cells; lumped %+.4f %%, joint "
-                "%+.4f cells; single body %+.4f cells; published: lumped opens the joint, force close; explicit mends it\n",
-                100 * (pairs.stress / one.stress - 1), pairs.opening, 100 * (lumped.stress / one.stress - 1),
-                lumped.opening, one.opening);
+    std::printf(
+        "[ figures  ] one block over two at 5 %%: explicit %+.4f %%, joint %+.4f cells; lumped %+.4f %%, joint "
+        "%+.4f cells; single body %+.4f cells; published: lumped opens the joint, force close; explicit mends it\n",
+        100 * (pairs.stress / one.stress - 1), pairs.opening, 100 * (lumped.stress / one.stress - 1), lumped.opening,
+        one.opening);
     EXPECT_NEAR(pairs.stress / one.stress, 1, 0.005);
     EXPECT_NEAR(pairs.opening, one.opening, 0.01);
     EXPECT_NEAR(lumped.stress / one.stress, 1, 0.05) << "global force close to single body";

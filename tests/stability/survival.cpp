@@ -48,16 +48,17 @@ TEST(Survival, ThreeDisksSqueezedToHalfHeight) {
     expect_sound(state);
     const Totals all = totals(state);
     const double energy = all.kinetic_energy + all.strain_energy;
-    std::printf("[ figures  ] three disks at half height: worst interpenetration %.4f, energy %.4f of the piston's work, "
-                "%.4f of external_work\n",
-                worst, energy / piston_work, energy / state.ledger.external_work);
+    std::printf(
+        "[ figures  ] three disks at half height: worst interpenetration %.4f, energy %.4f of the piston's work, "
+        "%.4f of external_work\n",
+        worst, energy / piston_work, energy / state.ledger.external_work);
     EXPECT_LT(worst, 0.015);
     EXPECT_LE(energy, 1.02 * piston_work) << "no energy from nowhere";
     EXPECT_GT(energy, 0.8 * piston_work);
 }
 
 TEST(Survival, BodiesOfOneParticleCollide) {
-    for (const ShapeKind shape : {ShapeKind::ugimp, ShapeKind::cpdi}) // not linear: see SingleBody.DISABLED_…
+    for (const ShapeKind shape : {ShapeKind::ugimp, ShapeKind::cpdi}) // not linear: advice() warns of it with usl
         for (const TransferScheme scheme : {TransferScheme::flip, TransferScheme::pic, TransferScheme::xpic}) {
             Scene scene = plane_scene(1, 0, 0, 12, 12, material(1, 100, 50));
             scene.method.shape = shape;
@@ -125,8 +126,8 @@ TEST(Survival, ImpactAtThirtyPercentOfTheWaveSpeed) {
         });
         expect_sound(state);
         const Totals after = totals(state);
-        std::printf("[ figures  ] impact at 30 %% of the wave speed: interpenetration %.4f, energy kept %.3f\n", overlap,
-                    (after.kinetic_energy + after.strain_energy) / before.kinetic_energy);
+        std::printf("[ figures  ] impact at 30 %% of the wave speed: interpenetration %.4f, energy kept %.3f\n",
+                    overlap, (after.kinetic_energy + after.strain_energy) / before.kinetic_energy);
         EXPECT_LT(overlap, 0.02);
         EXPECT_LE(after.kinetic_energy + after.strain_energy, 1.02 * before.kinetic_energy);
     }
