@@ -67,10 +67,10 @@ std::vector<Key> contact_keys() {
                     "`explicit` pairs; 0: contact only stops bodies that approach, as published."},
         {.path = "/contact/screening",
          .kind = Kind::number,
-         .otherwise = "0",
+         .otherwise = "0.001",
          .range = from_to(0, 0.1),
-         .meaning = "Bodies with a smaller share of a node's mass take no part in contact there. Published codes use "
-                    "1e-5; 0 is better: a body under pressure tears at nodes where it has little mass and no contact."},
+         .meaning = "A body with a smaller share of a pair's mass at a node moves with the other there while they "
+                    "touch, whatever the law (`explicit` pairs): so little mass would be thrown along the interface."},
         {.path = "/contact/corrections",
          .kind = Kind::integer,
          .otherwise = "2",

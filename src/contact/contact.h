@@ -19,6 +19,7 @@ struct ContactPoint {
     std::int32_t cloud_size = 0;
     std::int32_t iterations = 0;
     double parting = 0;              ///< normal velocity at which overlapping bodies shall part [m/s]
+    bool stuck = false;              ///< touching, and one body has next to no mass here: see ContactSpec::screening
     bool touching = false;           ///< in contact in the second pass
     Vec<D> impulse = Vec<D>::Zero(); ///< on a in the second pass [N s]
 };
@@ -36,11 +37,6 @@ template <int D>
 struct Contact {
     LawTable laws;
     ThreeOrMore three_or_more = ThreeOrMore::lumped;
-    /// Bodies with no larger share of a node's mass than this take no part in contact there (notes 4.2.3 have 1e-5). 0
-    /// by default: a body under pressure whose domain just reaches a new node has little mass there, but the
-    /// acceleration f/m of that little mass grows without bound as it vanishes; without contact it tears the body's
-    /// edge apart.
-    double smallest_share = 0;
     std::vector<std::int32_t> active; ///< slots, group by group
     std::vector<ContactGroup<D>> groups;
     std::vector<ContactPoint<D>> points;

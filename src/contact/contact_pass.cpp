@@ -61,6 +61,9 @@ void begin_pairs(State<D>& state, const ContactGroup<D>& group, double carry, co
         ContactPoint<D>& point = state.contact.points[i];
         const Vec<D> approach = vector_of<D>(velocity[point.slot_b] - velocity[point.slot_a]);
         point.touching = point.separation + approach.dot(point.normal) * carry < 0;
+        const double mass_a = velocity[point.slot_a][0];
+        const double mass_b = velocity[point.slot_b][0];
+        point.stuck = point.touching && std::min(mass_a, mass_b) < state.scene.contact->screening * (mass_a + mass_b);
         point.impulse = Vec<D>::Zero();
         point.parting = carry > 0 ? state.scene.contact->overlap_correction * point.overlap / carry : 0;
     }
@@ -87,8 +90,8 @@ void correct_pairs(State<D>& state, const ContactGroup<D>& group, std::vector<Pa
             const double mass = reduced_mass(a, b);
             // What would stop the pair if the pair's own impulse had not been given yet.
             const Vec<D> stick = point.impulse + mass * (vector_of<D>(b - a) - point.parting * point.normal);
-            const Vec<D> impulse =
-                law_impulse<D>(contact.laws.between(point.body_a, point.body_b), stick, point.normal, point.touching);
+            const LawSpec& law = contact.laws.between(point.body_a, point.body_b);
+            const Vec<D> impulse = point.stuck ? stick : law_impulse<D>(law, stick, point.normal, point.touching);
             const Vec<D> more = impulse - point.impulse;
             if (more.isZero(0)) continue;
             point.impulse = impulse;

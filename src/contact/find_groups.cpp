@@ -52,15 +52,11 @@ void find_groups(State<D>& state) {
     contact.points.clear();
     contact.active.clear();
     for (const ContactNode<D>& node : state.fields.contact_nodes) {
-        double total = 0;
-        for (std::int32_t slot = node.first; slot < node.first + node.count; ++slot)
-            total += state.nodes.momentum[slot][0];
-
         ContactGroup<D> group;
         group.node = node.node;
         group.first = static_cast<std::int32_t>(contact.active.size());
         for (std::int32_t slot = node.first; slot < node.first + node.count; ++slot)
-            if (state.nodes.momentum[slot][0] > contact.smallest_share * total) contact.active.push_back(slot);
+            if (state.nodes.momentum[slot][0] > 0) contact.active.push_back(slot);
         group.last = static_cast<std::int32_t>(contact.active.size());
         if (group.last - group.first < 2) {
             contact.active.resize(group.first);

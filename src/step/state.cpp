@@ -35,7 +35,6 @@ State<D> make_state(const Scene& scene, const Model& model) {
     state.particles = make_particles<D>(model, scene);
     if (scene.contact) {
         state.contact.laws = law_table(*scene.contact, model.bodies);
-        state.contact.smallest_share = scene.contact->screening;
         // Perfect interfaces need no pairs: lumping makes all bodies of a node one, exactly.
         if (state.effects.clouds || state.effects.gradients) state.contact.three_or_more = scene.contact->three_or_more;
     }

@@ -22,8 +22,9 @@ template <int D, class Law>
     const Mat<D> F = product(exponential(dv), particles.deformation_gradient[p]);
     particles.deformation_gradient[p] = F;
     const Strain<D> strain = strain_of<D>(F);
-    // NaN and J <= 0 show as a negative stiffness, which the caller reports.
-    if (!(strain.J > 0)) return -1;
+    // NaN, J <= 0 and absurd stretch show as a negative stiffness, which the caller reports.
+    constexpr double absurd = 1e8; // trace of b
+    if (!(strain.J > 0 && strain.trace() < absurd)) return -1;
     particles.stress[p] = law.template kirchhoff<D>(strain);
     return law.template stiffness<D>(strain);
 }
@@ -92,10 +93,11 @@ void sweep(State<D>& state, const std::vector<Pack>& gradient_velocity) {
     });
     if (const std::int32_t p = failures.first(); p >= 0) {
         const bool outside = !is_inside(state.grid, particles.position[p]);
-        throw RunError(describe_failure(
-            state, p,
-            outside ? "the particle left the grid (or its position is not a number)"
-                    : "the particle is turned inside out (det F <= 0) or not a number; a smaller time step may help"));
+        throw RunError(describe_failure(state, p,
+                                        outside ? "the particle left the grid (or its position is not a number)"
+                                                : "the particle is turned inside out (det F <= 0), stretched ten "
+                                                  "thousandfold or not a number; a smaller "
+                                                  "time step may help"));
     }
     if constexpr (Stress) {
         state.largest_wave_speed = 0;
