@@ -69,8 +69,10 @@ std::vector<Key> contact_keys() {
          .kind = Kind::number,
          .otherwise = "0.001",
          .range = from_to(0, 0.1),
-         .meaning = "A body with a smaller share of a pair's mass at a node moves with the other there while they "
-                    "touch, whatever the law (`explicit` pairs): so little mass would be thrown along the interface."},
+         .meaning =
+             "Where a body has a smaller share of a pair's mass at a node and they touch, the pair is accelerated "
+             "as one and keeps its sliding velocity (`explicit` pairs): so little mass would else be thrown along "
+             "the interface."},
         {.path = "/contact/corrections",
          .kind = Kind::integer,
          .otherwise = "2",

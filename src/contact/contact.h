@@ -19,7 +19,8 @@ struct ContactPoint {
     std::int32_t cloud_size = 0;
     std::int32_t iterations = 0;
     double parting = 0;              ///< normal velocity at which overlapping bodies shall part [m/s]
-    bool stuck = false;              ///< touching, and one body has next to no mass here: see ContactSpec::screening
+    bool light = false;              ///< touching, and one body has next to no mass here: see ContactSpec::screening
+    Vec<D> sliding = Vec<D>::Zero(); ///< tangential velocity of b to a that a light pair keeps [m/s]
     bool touching = false;           ///< in contact in the second pass
     Vec<D> impulse = Vec<D>::Zero(); ///< on a in the second pass [N s]
 };

@@ -63,7 +63,13 @@ void begin_pairs(State<D>& state, const ContactGroup<D>& group, double carry, co
         point.touching = point.separation + approach.dot(point.normal) * carry < 0;
         const double mass_a = velocity[point.slot_a][0];
         const double mass_b = velocity[point.slot_b][0];
-        point.stuck = point.touching && std::min(mass_a, mass_b) < state.scene.contact->screening * (mass_a + mass_b);
+        point.light = carry > 0 && point.touching &&
+                      std::min(mass_a, mass_b) < state.scene.contact->screening * (mass_a + mass_b);
+        if (point.light) {
+            const std::vector<Pack>& start = state.nodes.velocity;
+            point.sliding = vector_of<D>(start[point.slot_b] - start[point.slot_a]);
+            point.sliding -= point.sliding.dot(point.normal) * point.normal;
+        }
         point.impulse = Vec<D>::Zero();
         point.parting = carry > 0 ? state.scene.contact->overlap_correction * point.overlap / carry : 0;
     }
@@ -91,7 +97,8 @@ void correct_pairs(State<D>& state, const ContactGroup<D>& group, std::vector<Pa
             // What would stop the pair if the pair's own impulse had not been given yet.
             const Vec<D> stick = point.impulse + mass * (vector_of<D>(b - a) - point.parting * point.normal);
             const LawSpec& law = contact.laws.between(point.body_a, point.body_b);
-            const Vec<D> impulse = point.stuck ? stick : law_impulse<D>(law, stick, point.normal, point.touching);
+            const Vec<D> impulse = point.light ? Vec<D>(stick - mass * point.sliding)
+                                               : law_impulse<D>(law, stick, point.normal, point.touching);
             const Vec<D> more = impulse - point.impulse;
             if (more.isZero(0)) continue;
             point.impulse = impulse;

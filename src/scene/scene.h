@@ -148,8 +148,9 @@ struct ContactSpec {
     /// Share of an overlap of two bodies that a step removes (particle-edges, not lumped). Contact laws stop bodies
     /// that approach, but don't part bodies that already overlap, so that small errors of many steps would add up.
     double overlap_correction = 0.01;
-    /// A body with a smaller share of a pair's mass at a node moves with the other there while they touch, whatever the
-    /// law: so little mass would be thrown along the interface by forces that its few particles spread over the node.
+    /// Where a body has a smaller share of a pair's mass at a node, and the two touch, the pair is accelerated as one:
+    /// its sliding velocity at the start of the step is kept. Forces that few particles spread over a node where they
+    /// have next to no mass would else throw them along the interface.
     double screening = 1e-3;
     LawSpec law; ///< of every pair not named in `laws`
     std::vector<PairLawSpec> laws;
