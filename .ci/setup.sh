@@ -15,7 +15,7 @@ packages=(
     g++ cmake ninja-build pkg-config ccache
     libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libhdf5-dev
     libvtk9-dev libegl-dev libgl1-mesa-dri # pictures are rendered through EGL, without a display
-    libgtest-dev libgmock-dev
+    libgtest-dev libgmock-dev libbenchmark-dev
     "$@"
 )
 

@@ -16,7 +16,7 @@ namespace {
 /// What says that a body exists: an entry of scene.bodies or of a legend.
 struct Mention {
     std::string pointer, name, material;
-    Vector velocity{};
+    InitialVelocity velocity;
 };
 
 /// Index of the named body in the model, which gets it if it is new.
@@ -43,8 +43,8 @@ int body_index(const Mention& mention, const Scene& scene, Model& model, std::ve
     return static_cast<int>(model.bodies.size()) - 1;
 }
 
-bool has_usable_grid(const GridSpec& grid) {
-    for (std::size_t axis = 0; axis < 2; ++axis)
+bool has_usable_grid(const GridSpec& grid, int dimension) {
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
         if (!(grid.cell[axis] > 0) || !(grid.upper[axis] > grid.lower[axis])) return false;
     return true;
 }
@@ -57,11 +57,16 @@ void add_shape(const BodySpec& spec, const std::string& pointer, const Scene& sc
         problems.push_back({pointer + "/particles_per_cell", "must be at least 1"});
         return;
     }
-    ShapeParticles particles = shape_particles(spec.shape, spec.particles_per_cell, scene.grid);
+    const int axes = dimension(scene.analysis);
+    if (!exists_in(spec.shape, axes)) {
+        problems.push_back({pointer, fmt::format("body \"{}\" has a {} shape in a {} analysis", spec.name,
+                                                 axes == 3 ? "plane" : "3d", axes == 3 ? "3d" : "plane")});
+        return;
+    }
+    ShapeParticles particles = shape_particles(spec.shape, spec.particles_per_cell, scene.grid, axes);
     if (particles.position.empty())
-        problems.push_back(
-            {pointer, fmt::format("body \"{}\" got no particles: it is too small for particles of {} × {}", spec.name,
-                                  length_text(2 * particles.half_size[0]), length_text(2 * particles.half_size[1]))});
+        problems.push_back({pointer, fmt::format("body \"{}\" got no particles: it is too small for particles of {}",
+                                                 spec.name, edges_text(particles.half_size))});
     part.half_size = particles.half_size;
     part.position = std::move(particles.position);
     parts.push_back(std::move(part));
@@ -71,13 +76,17 @@ void add_image(std::size_t index, const Scene& scene, const std::string& scene_n
                std::vector<Part>& parts, std::vector<Problem>& problems) {
     const ImageSpec& spec = scene.images[index];
     const std::string pointer = fmt::format("/images/{}", index);
+    if (dimension(scene.analysis) == 3) {
+        problems.push_back({pointer, "pictures make plane bodies; a 3d analysis has none"});
+        return;
+    }
     std::vector<int> body_of_entry(spec.legend.size(), -1);
     for (std::size_t k = 0; k < spec.legend.size(); ++k) {
         const LegendEntry& entry = spec.legend[k];
         if (!entry.is_void)
             body_of_entry[k] =
-                body_index({fmt::format("{}/legend/{}", pointer, k), entry.body, entry.material, entry.velocity}, scene,
-                           model, problems);
+                body_index({fmt::format("{}/legend/{}", pointer, k), entry.body, entry.material, {entry.velocity}},
+                           scene, model, problems);
     }
     for (Part& part : image_parts(spec, scene.grid, pointer, scene_name, problems)) {
         for (std::size_t k = 0; k < spec.legend.size(); ++k)
@@ -89,7 +98,7 @@ void add_image(std::size_t index, const Scene& scene, const std::string& scene_n
 } // namespace
 
 Model build_model(const Scene& scene, const std::string& scene_name) {
-    if (!has_usable_grid(scene.grid))
+    if (!has_usable_grid(scene.grid, dimension(scene.analysis)))
         throw SceneError(scene_name, {{"/grid", "needs cells larger than 0 and an upper corner above the lower one"}});
     Model model;
     std::vector<Part> parts;

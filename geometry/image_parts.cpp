@@ -59,9 +59,9 @@ std::string why_no_particles(const std::string& body, const ImageSpec& spec, con
     const bool one = colours.size() == 1;
     if (pixels == 0)
         return fmt::format("no pixel of the image has its colour{} {}", one ? "" : "s", fmt::join(colours, ", "));
-    return fmt::format("its colour{} {} cover{} {}, nowhere the largest part of a particle ({} × {})", one ? "" : "s",
+    return fmt::format("its colour{} {} cover{} {}, nowhere the largest part of a particle ({})", one ? "" : "s",
                        fmt::join(colours, ", "), one ? "s" : "", count_text(static_cast<std::size_t>(pixels), "pixel"),
-                       length_text(2 * half_size[0]), length_text(2 * half_size[1]));
+                       edges_text(half_size));
 }
 
 void check_size(const Part& part, const GridSpec& grid, std::vector<Problem>& problems) {

@@ -15,7 +15,7 @@ struct Part {
     std::string pointer; ///< of that place, for messages
     std::string body_name;
     int body = 0;                 ///< index into Model::bodies
-    Vector half_size{};           ///< of each particle [m]
+    Vector half_size{};           ///< of each particle [m]; z is 0 in two dimensions
     std::vector<Vector> position; ///< centres [m]
 };
 
@@ -28,6 +28,9 @@ void check_overlap(const std::vector<Part>& parts, std::vector<Problem>& problem
 
 /// "14.3 um": a length in the unit that suits it, 4 digits.
 std::string length_text(double metres);
+
+/// "500 mm × 500 mm": the edges of a particle, three in three dimensions.
+std::string edges_text(const Vector& half_size);
 
 /// "1 particle", "14 particles".
 std::string count_text(std::size_t count, const std::string& noun);

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace abut {
 
 namespace {
 
+using Place = std::array<long, 3>;
+
+/// Axes beyond its dimension have the one place 0 and no extent.
 struct Lattice {
+    std::size_t dimension = 2;
     Vector lower{}; ///< an outer corner of the lattice, not a centre [m]
     Vector edge{};  ///< of a particle [m]
     Vector cell{};  ///< of the grid [m]
@@ -17,66 +22,97 @@ struct Lattice {
     double centre(std::size_t axis, long place) const {
         return lower[axis] + (static_cast<double>(place) + 0.5) * edge[axis];
     }
+    Vector half_size() const { return {edge[0] / 2, edge[1] / 2, edge[2] / 2}; }
+
+    /// Calls visit(centre) for the places from `first` to `last`, both included.
+    template <class Visit>
+    void for_each(const Place& first, const Place& last, Visit&& visit) const {
+        for (long k = first[2]; k <= last[2]; ++k)
+            for (long j = first[1]; j <= last[1]; ++j)
+                for (long i = first[0]; i <= last[0]; ++i) visit(Vector{centre(0, i), centre(1, j), centre(2, k)});
+    }
 };
 
-Lattice particle_lattice(const GridSpec& grid, int particles_per_cell) {
+Lattice particle_lattice(const GridSpec& grid, int particles_per_cell, std::size_t dimension) {
     const Vector cell = effective_cell(grid);
-    return {grid.lower, {cell[0] / particles_per_cell, cell[1] / particles_per_cell, 0}, cell};
+    Lattice lattice{dimension, {}, {}, cell};
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+        lattice.lower[axis] = grid.lower[axis];
+        lattice.edge[axis] = cell[axis] / particles_per_cell;
+    }
+    return lattice;
 }
 
 ShapeParticles fill(const Box& box, const Lattice& grid_lattice) {
-    Lattice lattice{box.lower, {}, {}};
-    std::array<long, 2> count{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
+    Lattice lattice{grid_lattice.dimension, {}, {}, {}};
+    Place last{};
+    std::size_t count = 1;
+    for (std::size_t axis = 0; axis < lattice.dimension; ++axis) {
         const double edge = box.upper[axis] - box.lower[axis];
         // ugimp needs particles that are no wider than a cell, also where one particle a cell is rounded down.
         const long fewest = std::max(1L, static_cast<long>(std::ceil(edge / grid_lattice.cell[axis] - 1e-9)));
-        count[axis] = std::max(fewest, std::lround(edge / grid_lattice.edge[axis]));
-        lattice.edge[axis] = edge / static_cast<double>(count[axis]);
+        const long particles = std::max(fewest, std::lround(edge / grid_lattice.edge[axis]));
+        lattice.lower[axis] = box.lower[axis];
+        lattice.edge[axis] = edge / static_cast<double>(particles);
+        last[axis] = particles - 1;
+        count *= static_cast<std::size_t>(particles);
     }
-    ShapeParticles particles;
-    particles.half_size = {lattice.edge[0] / 2, lattice.edge[1] / 2, 0};
-    particles.position.reserve(count[0] * count[1]);
-    for (long j = 0; j < count[1]; ++j)
-        for (long i = 0; i < count[0]; ++i)
-            particles.position.push_back({lattice.centre(0, i), lattice.centre(1, j), 0});
+    ShapeParticles particles{lattice.half_size(), {}};
+    particles.position.reserve(count);
+    lattice.for_each({}, last, [&](const Vector& centre) { particles.position.push_back(centre); });
     return particles;
 }
 
-ShapeParticles fill(const Ellipse& ellipse, const Lattice& lattice) {
-    const double c = std::cos(ellipse.angle), s = std::sin(ellipse.angle);
-    const auto [a, b] = ellipse.semi_axes;
-    const std::array<double, 2> reach{std::hypot(a * c, b * s), std::hypot(a * s, b * c)}; // of its bounding box
-    std::array<long, 2> first{}, last{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double offset = ellipse.center[axis] - lattice.lower[axis];
+/// The places within `reach` of a centre for which inside(x, y, z) holds, where x, y, z are relative to that centre.
+template <class Inside>
+ShapeParticles fill_inside(const Vector& center, const Vector& reach, const Lattice& lattice, Inside&& inside) {
+    Place first{}, last{};
+    for (std::size_t axis = 0; axis < lattice.dimension; ++axis) {
+        const double offset = center[axis] - lattice.lower[axis];
         first[axis] = std::lround((offset - reach[axis]) / lattice.edge[axis]) - 1;
         last[axis] = std::lround((offset + reach[axis]) / lattice.edge[axis]) + 1;
     }
-    // Without it, round-off would take one of two mirror-image particles on the outline and leave the other.
-    constexpr double on_outline = 1 + 1e-9;
-    ShapeParticles particles;
-    particles.half_size = {lattice.edge[0] / 2, lattice.edge[1] / 2, 0};
-    for (long j = first[1]; j <= last[1]; ++j) {
-        for (long i = first[0]; i <= last[0]; ++i) {
-            const double x = lattice.centre(0, i), y = lattice.centre(1, j);
-            const double u = (x - ellipse.center[0]) * c + (y - ellipse.center[1]) * s;
-            const double v = (y - ellipse.center[1]) * c - (x - ellipse.center[0]) * s;
-            if ((u / a) * (u / a) + (v / b) * (v / b) <= on_outline) particles.position.push_back({x, y, 0});
-        }
-    }
+    ShapeParticles particles{lattice.half_size(), {}};
+    lattice.for_each(first, last, [&](const Vector& x) {
+        if (inside(x[0] - center[0], x[1] - center[1], x[2] - center[2])) particles.position.push_back(x);
+    });
     return particles;
+}
+
+// Without it, round-off would take one of two mirror-image particles on the outline and leave the other.
+constexpr double on_outline = 1 + 1e-9;
+
+ShapeParticles fill(const Ellipse& ellipse, const Lattice& lattice) {
+    const double c = std::cos(ellipse.angle), s = std::sin(ellipse.angle);
+    const double a = ellipse.semi_axes[0], b = ellipse.semi_axes[1];
+    const Vector reach{std::hypot(a * c, b * s), std::hypot(a * s, b * c), 0}; // of its bounding box
+    return fill_inside(ellipse.center, reach, lattice, [&](double x, double y, double) {
+        const double u = x * c + y * s;
+        const double v = y * c - x * s;
+        return (u / a) * (u / a) + (v / b) * (v / b) <= on_outline;
+    });
 }
 
 ShapeParticles fill(const Disk& disk, const Lattice& lattice) {
     return fill(Ellipse{disk.center, {disk.radius, disk.radius}, 0}, lattice);
 }
 
+ShapeParticles fill(const Ball& ball, const Lattice& lattice) {
+    const double r = ball.radius;
+    return fill_inside(ball.center, {r, r, r}, lattice, [&](double x, double y, double z) {
+        return (x / r) * (x / r) + (y / r) * (y / r) + (z / r) * (z / r) <= on_outline;
+    });
+}
+
 } // namespace
 
-ShapeParticles shape_particles(const std::variant<Box, Disk, Ellipse>& shape, int particles_per_cell,
-                               const GridSpec& grid) {
-    const Lattice lattice = particle_lattice(grid, particles_per_cell);
+bool exists_in(const ShapeSpec& shape, int dimension) {
+    return std::holds_alternative<Box>(shape) || std::holds_alternative<Ball>(shape) == (dimension == 3);
+}
+
+ShapeParticles shape_particles(const ShapeSpec& shape, int particles_per_cell, const GridSpec& grid, int dimension) {
+    if (!exists_in(shape, dimension)) throw std::invalid_argument("a shape of the other dimension");
+    const Lattice lattice = particle_lattice(grid, particles_per_cell, static_cast<std::size_t>(dimension));
     return std::visit([&](const auto& each) { return fill(each, lattice); }, shape);
 }
 

@@ -63,7 +63,7 @@ phase "Packages" bash .ci/setup.sh
 badly_formatted=no
 format_or_note() { format || badly_formatted=yes; }
 phase "Format of the sources" format_or_note
-build "$preset" -DABUT_WERROR=ON -DABUT_TESTS=ON
+build "$preset" -DABUT_WERROR=ON -DABUT_TESTS=ON -DABUT_BENCHMARKS=ON
 if [[ $full == yes ]]; then # these share no cores
     phase "Published cases at full size" ctest --preset "$preset" --output-on-failure -L full --no-tests=ignore
 fi

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <vtkActor.h>
@@ -34,7 +35,7 @@ namespace abut {
 namespace {
 
 constexpr int dots_per_inch = 72;  // font sizes are then pixels
-constexpr double quad_depth = 100; // quads lie at z from 0 to this, dots below 0
+constexpr double quad_depth = 100; // quads lie at z from 0 to this, dots and faces below 0
 
 vtkSmartPointer<vtkUnsignedCharArray> colour_array(const std::vector<Rgb>& colours) {
     auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -88,9 +89,16 @@ vtkSmartPointer<vtkActor> actor_of(const Quads& quads) {
     return actor_of(data);
 }
 
-vtkSmartPointer<vtkActor> actor_of(const Dots& dots) {
+vtkSmartPointer<vtkActor> actor_of(const Faces& faces, double front) {
     vtkNew<vtkPolyData> data;
-    const double front = *std::max_element(dots.depths.begin(), dots.depths.end()) + dots.diameter;
+    data->SetPoints(point_array(faces.corners, [&](std::size_t i) { return faces.depths[i] - front; }));
+    data->SetPolys(cell_array(faces.corners.size(), 4));
+    data->GetCellData()->SetScalars(colour_array(faces.colours));
+    return actor_of(data);
+}
+
+vtkSmartPointer<vtkActor> actor_of(const Dots& dots, double front) {
+    vtkNew<vtkPolyData> data;
     data->SetPoints(point_array(dots.centres, [&](std::size_t i) { return dots.depths[i] - front; }));
     data->SetVerts(cell_array(dots.centres.size(), 1));
     data->GetPointData()->SetScalars(colour_array(dots.colours));
@@ -99,6 +107,14 @@ vtkSmartPointer<vtkActor> actor_of(const Dots& dots) {
     actor->GetProperty()->SetRenderPointsAsSpheres(true);
     actor->GetProperty()->SetLighting(dots.shaded);
     return actor;
+}
+
+/// Depth that nothing in space reaches [pixels].
+double front_of(const Picture& picture) {
+    double front = -std::numeric_limits<double>::infinity();
+    for (const double depth : picture.dots.depths) front = std::max(front, depth + picture.dots.diameter);
+    for (const double depth : picture.faces.depths) front = std::max(front, depth + 1);
+    return front;
 }
 
 void set_font(vtkTextProperty& property, double size, bool bold) {
@@ -156,7 +172,9 @@ void write_png(OffscreenContext& context, const Picture& picture, const std::fil
     VtkMessages messages;
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1, 1, 1);
-    if (!picture.dots.centres.empty()) renderer->AddActor(actor_of(picture.dots));
+    const double front = front_of(picture);
+    if (!picture.dots.centres.empty()) renderer->AddActor(actor_of(picture.dots, front));
+    if (!picture.faces.colours.empty()) renderer->AddActor(actor_of(picture.faces, front));
     if (!picture.quads.colours.empty()) renderer->AddActor(actor_of(picture.quads));
     for (const Label& label : picture.labels) renderer->AddViewProp(actor_of(label));
     look_at_pixels(*renderer, picture);

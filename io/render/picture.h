@@ -23,6 +23,13 @@ struct Quads {
     void add_rectangle(const Pixel& lower, const Pixel& upper, Rgb colour);
 };
 
+/// Filled quadrilaterals in space; those with the larger depth are in front.
+struct Faces {
+    std::vector<Pixel> corners; ///< four each, around the outline
+    std::vector<double> depths; ///< of the corners [pixels]
+    std::vector<Rgb> colours;   ///< one each
+};
+
 /// Round dots; where they overlap, the one with the larger depth is in front.
 struct Dots {
     std::vector<Pixel> centres;
@@ -47,6 +54,7 @@ struct Label {
 struct Picture {
     int width = 0, height = 0; ///< [pixels]
     Dots dots;                 ///< behind the quads
+    Faces faces;               ///< behind the quads
     Quads quads;
     std::vector<Label> labels; ///< in front
 };

@@ -1,8 +1,10 @@
 #include "io/render/render_series.h"
 
+#include "io/render/domains.h"
 #include "io/render/layout.h"
 #include "io/render/offscreen_context.h"
 #include "io/render/series_source.h"
+#include "io/render/solids.h"
 #include "io/results/si_prefix.h"
 
 #include <algorithm>
@@ -90,6 +92,19 @@ double dot_spacing(const PointFrame& frame, const Bounds& bounds) {
     return std::sqrt(area / static_cast<double>(std::max<std::size_t>(1, frame.points.size() / 3)));
 }
 
+bool is_in_space(const PointFrame& frame) {
+    const std::optional<Domains> domains = Domains::of(frame);
+    return domains && domains->in_space();
+}
+
+void extend(Bounds& bounds, const PointFrame& frame, bool with_domains) {
+    for (std::size_t i = 0; i < frame.points.size(); ++i) {
+        bounds.lower[i % 3] = std::min(bounds.lower[i % 3], frame.points[i]);
+        bounds.upper[i % 3] = std::max(bounds.upper[i % 3], frame.points[i]);
+    }
+    if (const auto domains = Domains::of(frame); with_domains && domains) domains->extend(bounds);
+}
+
 /// Looks at the first frame, and at all where the range of values or the bounds need it.
 Style make_style(const SeriesSource& source, const RenderOptions& options, const std::vector<int>& frames) {
     const PointFrame first = source.particles(frames.front(), {});
@@ -103,17 +118,20 @@ Style make_style(const SeriesSource& source, const RenderOptions& options, const
                                              options.component));
 
     Style style;
-    std::optional<Bounds> bounds = source.grid_bounds();
+    // A box of space that is mostly empty would leave little of the picture to the bodies: there the picture shows the
+    // box that they need, in the plane that of the grid.
+    const bool in_space = is_in_space(first);
+    std::optional<Bounds> bounds;
+    if (!in_space) bounds = source.grid_bounds();
     const bool by_body = options.array == "body";
     Range range = options.range;
     if (!bounds || (!by_body && !range)) {
         Bounds points{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
         for (const int index : frames) {
-            const PointFrame frame = source.particles(index, {options.array});
-            for (std::size_t i = 0; i < frame.points.size(); ++i) {
-                points.lower[i % 3] = std::min(points.lower[i % 3], frame.points[i]);
-                points.upper[i % 3] = std::max(points.upper[i % 3], frame.points[i]);
-            }
+            std::vector<std::string> wanted{options.array};
+            if (in_space) wanted.insert(wanted.end(), {"half_size", "deformation_gradient"});
+            const PointFrame frame = source.particles(index, wanted);
+            extend(points, frame, in_space);
             if (const Array* values = find_array(frame, options.array); values && !options.range)
                 range = joined(range, range_of(values_of(*values, options.component)));
         }
@@ -154,7 +172,8 @@ void add_particles(Picture& picture, const PointFrame& frame, const Style& style
 
     const View& view = style.layout.view;
     const bool flat = style.layout.bounds.flat();
-    if (flat && options.domains && add_domains(picture.quads, frame, view, colours, order)) return;
+    if (options.domains && flat && add_domains(picture.quads, frame, view, colours, order)) return;
+    if (options.domains && !flat && add_solids(picture.faces, frame, view, colours)) return;
     add_dots(picture.dots, frame, view, colours, order);
     picture.dots.diameter = (flat ? 0.9 : 1.25) * style.spacing * view.scale;
     picture.dots.shaded = !flat;
@@ -178,11 +197,18 @@ Picture compose(const SeriesSource& source, int index, const Style& style, const
     picture.width = layout.width;
     picture.height = layout.height;
     const PointFrame frame =
-        source.particles(index, {options.array, "body", "half_size", "deformation_gradient", "volume"});
+        source.particles(index, {options.array, "body", "half_size", "deformation_gradient", "volume", "displacement"});
     if (style.scale && !find_array(frame, options.array))
         throw std::runtime_error(fmt::format("frame {}: no array \"{}\"", index, options.array));
     add_particles(picture, frame, style, options);
-    add_outline(picture.quads, layout.bounds, layout.view, layout.unit, {130, 130, 130});
+    constexpr Rgb outline{130, 130, 130};
+    if (layout.bounds.flat()) {
+        add_outline(picture.quads, layout.bounds, layout.view, layout.unit, outline);
+    } else {
+        add_box(picture.faces, layout.bounds, layout.view, layout.unit, outline);
+        add_axes(picture, layout.view, {layout.plot_upper[0] - 40 * layout.unit, 22 * layout.unit}, layout.unit,
+                 {40, 40, 40});
+    }
     if (options.normals) add_normals(picture, source.contact(index), layout);
     if (style.scale) add_colour_bar(picture, layout, *style.scale);
     add_legend(picture, layout, style.legend);

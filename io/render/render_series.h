@@ -16,7 +16,7 @@ struct RenderOptions {
     std::string array = "body"; ///< particle array that colours the particles
     int component = -1;         ///< of `array`; -1: its magnitude
     bool normals = false;       ///< arrows at the contact pairs in contact, from body_a to body_b
-    bool domains = true;        ///< plane particles as their deformed domains; false: as dots
+    bool domains = true;        ///< particles as their deformed domains; false: as dots
     int width = 1000;           ///< [pixels]
     int height = 0;             ///< [pixels]; 0: from the proportions of the scene
     std::optional<std::pair<double, double>>
@@ -33,8 +33,10 @@ public:
 };
 
 /// Draws the frames of `result_dir`/particles.pvd as `frame_00000.png`, …, numbered as in the series; view and colours
-/// are the same in all. Returns the files written. Throws RenderRequestError if the folder, the series, the array, the
-/// preset or a frame is not there, naming it and what there is, and std::runtime_error for files that are broken.
+/// are the same in all. Plane scenes are seen from above in the box of their grid, others obliquely in the box that the
+/// particles of these frames need. Returns the files written. Throws RenderRequestError if the folder, the series, the
+/// array, the preset or a frame is not there, naming it and what there is, and std::runtime_error for files that are
+/// broken.
 std::vector<std::filesystem::path> render_series(const std::filesystem::path& result_dir, const RenderOptions& given);
 
 /// The names that RenderOptions::preset takes.

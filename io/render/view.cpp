@@ -1,6 +1,6 @@
 #include "io/render/view.h"
 
-#include "io/render/values.h"
+#include "io/render/domains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,25 +82,14 @@ double seen_aspect(const Bounds& bounds) {
 
 bool add_domains(Quads& quads, const PointFrame& frame, const View& view, const std::vector<Rgb>& colours,
                  const std::vector<std::size_t>& order) {
-    const auto reals = [&](const char* name, int components) -> const double* {
-        const Array* array = find_array(frame, name);
-        const auto* values = array && array->components == components ? std::get_if<0>(&array->values) : nullptr;
-        return values ? values->data() : nullptr;
-    };
-    const double* half_size = reals("half_size", 3);
-    const double* gradient = reals("deformation_gradient", 9);
-    if (!half_size) return frame.points.empty();
-
-    constexpr std::array<double, 9> identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::optional<Domains> domains = Domains::of(frame);
+    if (!domains) return false;
     quads.corners.reserve(quads.corners.size() + 4 * order.size());
     quads.colours.reserve(quads.colours.size() + order.size());
     for (const std::size_t p : order) {
-        const double* F = gradient ? gradient + 9 * p : identity.data();
-        const double *r = half_size + 3 * p, *x = &frame.points[3 * p];
-        const std::array<double, 3> edge_x{F[0] * r[0], F[3] * r[0], F[6] * r[0]};
-        const std::array<double, 3> edge_y{F[1] * r[1], F[4] * r[1], F[7] * r[1]};
-        const Pixel c = view.pixel(x);
-        const Pixel a = lengthened(view.direction(edge_x.data())), b = lengthened(view.direction(edge_y.data()));
+        const auto edges = domains->half_edges(p);
+        const Pixel c = view.pixel(domains->centre(p));
+        const Pixel a = lengthened(view.direction(edges[0].data())), b = lengthened(view.direction(edges[1].data()));
         quads.add({c[0] - a[0] - b[0], c[1] - a[1] - b[1]}, {c[0] + a[0] - b[0], c[1] + a[1] - b[1]},
                   {c[0] + a[0] + b[0], c[1] + a[1] + b[1]}, {c[0] - a[0] + b[0], c[1] - a[1] + b[1]}, colours[p]);
     }

@@ -35,9 +35,8 @@ View fitted_view(const Bounds& bounds, const Pixel& lower, const Pixel& upper);
 /// Width / height of `bounds` as they are seen.
 double seen_aspect(const Bounds& bounds);
 
-/// Adds each particle's deformed domain as a parallelogram, x ± F·(rx, 0, 0) ± F·(0, ry, 0), from the arrays
-/// `half_size` (3) and `deformation_gradient` (9, row-major; the identity if it is missing), in the given order,
-/// a third of a pixel larger. Returns false, adding nothing, if there is no `half_size`.
+/// Adds each plane particle's deformed domain (see domains.h) as a parallelogram in the given order, a third of a pixel
+/// larger. Returns false, adding nothing, if there is no `half_size`.
 bool add_domains(Quads& quads, const PointFrame& frame, const View& view, const std::vector<Rgb>& colours,
                  const std::vector<std::size_t>& order);
 

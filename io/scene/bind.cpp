@@ -1,5 +1,6 @@
 #include "io/scene/bind.h"
 
+#include "io/scene/bind_parts.h"
 #include "io/scene/elastic_constants.h"
 #include "io/scene/words.h"
 #include "scene/suggest.h"
@@ -11,45 +12,6 @@
 namespace abut {
 
 namespace {
-
-// Each copies the value at a key, if there is one, to a member.
-
-template <class T>
-void copy(const Json& object, const char* key, T& member) {
-    if (const Json* value = find(object, key)) member = value->get<T>();
-}
-
-template <class T>
-void copy(const Json& object, const char* key, std::optional<T>& member) {
-    if (const Json* value = find(object, key)) member = value->get<T>();
-}
-
-/// A list of components, or one value for all of them; a third component stays 0 (plane analyses).
-template <std::size_t Size>
-void copy_components(const Json& object, const char* key, std::array<double, Size>& member) {
-    const Json* value = find(object, key);
-    if (!value) return;
-    for (std::size_t i = 0; i < std::size_t(dimension(Analysis::plane_strain)); ++i)
-        member[i] = (value->is_array() ? (*value)[i] : *value).template get<double>();
-}
-
-template <class Words, class T>
-void copy_word(const Json& object, const char* key, const Words& words, T& member) {
-    if (const Json* value = find(object, key))
-        member = value_of(words, value->get_ref<const std::string&>()).value_or(member);
-}
-
-/// The object or list at a key; an empty one if it is not there.
-const Json& part(const Json& object, const char* key) {
-    static const Json empty = Json::object();
-    const Json* value = find(object, key);
-    return value ? *value : empty;
-}
-
-template <class T, class Bind>
-void copy_list(const Json& object, const char* key, std::vector<T>& member, Bind bind) {
-    for (const Json& entry : part(object, key)) member.push_back(bind(entry));
-}
 
 MaterialSpec bind_material(const std::string& name, const Json& json, std::vector<Problem>& problems) {
     MaterialSpec material;
@@ -72,7 +34,7 @@ MaterialSpec bind_material(const std::string& name, const Json& json, std::vecto
     return material;
 }
 
-std::variant<Box, Disk, Ellipse> bind_shape(const Json& json) {
+ShapeSpec bind_shape(const Json& json) {
     if (const Json* shape = find(json, "disk")) {
         Disk disk;
         copy_components(*shape, "center", disk.center);
@@ -86,6 +48,12 @@ std::variant<Box, Disk, Ellipse> bind_shape(const Json& json) {
         copy(*shape, "angle", ellipse.angle);
         return ellipse;
     }
+    if (const Json* shape = find(json, "ball")) {
+        Ball ball;
+        copy_components(*shape, "center", ball.center);
+        copy(*shape, "radius", ball.radius);
+        return ball;
+    }
     Box box;
     copy_components(part(json, "box"), "lower", box.lower);
     copy_components(part(json, "box"), "upper", box.upper);
@@ -97,7 +65,11 @@ BodySpec bind_body(const Json& json) {
     copy(json, "name", body.name);
     copy(json, "material", body.material);
     body.shape = bind_shape(json);
-    copy_components(json, "velocity", body.velocity);
+    copy_components(json, "velocity", body.velocity.value);
+    const Json& rows = part(json, "velocity_gradient");
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        for (std::size_t i = 0; i < rows[row].size(); ++i) body.velocity.gradient[row][i] = rows[row][i].get<double>();
+    copy_components(json, "velocity_center", body.velocity.center);
     copy(json, "particles_per_cell", body.particles_per_cell);
     return body;
 }
@@ -130,7 +102,7 @@ LegendEntry bind_legend_entry(const Json& json) {
 ImageSpec bind_image(const Json& json) {
     ImageSpec image;
     if (const Json* file = find(json, "file")) image.file = file->get<std::string>();
-    copy_components(json, "pixel", image.pixel);
+    copy_per_axis(json, "pixel", image.pixel, 2);
     copy_components(json, "size", image.size);
     copy_components(json, "lower", image.lower);
     copy_word(json, "top_row", top_row_words, image.top_row_is_top);
@@ -170,27 +142,16 @@ ContactSpec bind_contact(const Json& json) {
     return contact;
 }
 
-BoundarySpec bind_boundary(const Json& json) {
-    BoundarySpec boundary;
-    copy(json, "name", boundary.name);
-    const Json& wall = part(json, "wall");
-    copy_word(wall, "axis", axis_words, boundary.wall.axis);
-    copy_word(wall, "side", side_words, boundary.wall.side);
-    copy(wall, "position", boundary.wall.position);
-    copy(wall, "velocity", boundary.wall.velocity);
-    copy(wall, "depth", boundary.wall.depth);
-    copy(wall, "gradient", boundary.wall.gradient);
-    copy(wall, "grip", boundary.wall.grip);
-    return boundary;
-}
-
 MethodSpec bind_method(const Json& json) {
     MethodSpec method;
     copy_word(json, "shape", shape_words, method.shape);
-    copy_word(part(json, "transfer"), "scheme", scheme_words, method.transfer.scheme);
-    copy(part(json, "transfer"), "order", method.transfer.order);
-    copy_word(part(json, "transfer"), "position", position_words, method.transfer.position);
+    const Json& transfer = part(json, "transfer");
+    copy_word(transfer, "scheme", scheme_words, method.transfer.scheme);
+    copy(transfer, "order", method.transfer.order);
+    copy_word(transfer, "position", position_words, method.transfer.position);
+    copy(transfer, "every_cfl", method.transfer.every_cfl);
     copy_word(json, "stress_update", stress_update_words, method.stress_update);
+    copy_word(json, "velocity_conditions", velocity_conditions_words, method.velocity_conditions);
     return method;
 }
 
@@ -212,7 +173,7 @@ Scene bind_scene(const Json& checked, std::vector<Problem>& problems) {
     copy_word(checked, "analysis", analysis_words, scene.analysis);
     copy(checked, "thickness", scene.thickness);
     const Json& grid = part(checked, "grid");
-    copy_components(grid, "cell", scene.grid.cell);
+    copy_per_axis(grid, "cell", scene.grid.cell, std::size_t(dimension(scene.analysis)));
     copy_components(grid, "lower", scene.grid.lower);
     copy_components(grid, "upper", scene.grid.upper);
     const Json& time = part(checked, "time");

@@ -1,5 +1,6 @@
 #include "io/scene/check.h"
 
+#include "io/scene/words.h"
 #include "scene/suggest.h"
 
 #include <algorithm>
@@ -14,25 +15,39 @@ namespace {
 using Problems = std::vector<Problem>;
 using Node = SpecificationNode;
 
-std::optional<Json> check_node(const Json& value, const Node& node, const std::string& pointer, Problems& problems);
+std::optional<Json> check_node(const Json& value, const Node& node, const std::string& pointer, Checking& checking);
 
 /// How a key stands to its neighbour: OnlyWith holds, does not hold, or cannot be known as the neighbour is wrong.
 enum class Place { right, wrong, unknown };
 
 struct PlaceOf {
     Place place = Place::right;
-    Json neighbour{}; ///< the neighbour's value
+    Json neighbour{}; ///< the neighbour's value; null: it is not there
 };
 
-PlaceOf place_of(const Key& key, const Json& object, const Node& node) {
+PlaceOf place_of(const Key& key, const Json& object, const Node& node, const Checking& checking) {
     if (!key.only_with) return {};
-    const Key& neighbour = *node.find(key.only_with->key)->key;
-    const Json* given = find(object, key.only_with->key);
+    const OnlyWith& only = *key.only_with;
+    const Key& neighbour = *(only.of_scene() ? scene_specification() : node).find(only.name())->key;
+    const Json* given = find(only.of_scene() ? checking.scene : object, only.name());
+    if (only.values.empty()) return {given ? Place::right : Place::wrong};
     if (!given && !neighbour.otherwise) return {Place::unknown};
     const Json value = given ? *given : Json::parse(*neighbour.otherwise);
     Problems ignored;
-    if (!check_value(value, neighbour, "", ignored)) return {Place::unknown};
-    return {value == Json::parse(key.only_with->value) ? Place::right : Place::wrong, value};
+    Checking silent{checking.scene, checking.analysis, ignored};
+    if (!check_value(value, neighbour, "", silent)) return {Place::unknown};
+    const bool right = std::any_of(only.values.begin(), only.values.end(),
+                                   [&](const std::string& allowed) { return value == Json::parse(allowed); });
+    return {right ? Place::right : Place::wrong, value};
+}
+
+std::string wrong_place(const OnlyWith& only, const Json& neighbour) {
+    if (only.values.empty()) return fmt::format("only goes with \"{}\", which is not given", only.name());
+    std::string values;
+    for (std::size_t i = 0; i < only.values.size(); ++i)
+        values += (i == 0 ? "" : i + 1 == only.values.size() ? " or " : ", ") + only.values[i];
+    return fmt::format("only goes with \"{}\": {}; here it is {}{}", only.name(), values, neighbour.dump(),
+                       only.why.empty() ? "" : "; " + only.why);
 }
 
 void report_unknown_key(const std::string& name, const Node& node, const std::string& pointer, Problems& problems) {
@@ -72,84 +87,99 @@ bool replaced(const std::string& key, const Json& object, const Node& node) {
 
 /// A key of an object: its checked value or default, if it has any.
 std::optional<Json> check_child(const Json& object, const Node& node, const Node& child, const std::string& pointer,
-                                Problems& problems) {
+                                Checking& checking) {
     const Json* given = find(object, child.name);
     const Key& key = *child.key;
-    const PlaceOf place = place_of(key, object, node);
+    const PlaceOf place = place_of(key, object, node, checking);
     if (given && place.place == Place::wrong) {
-        problems.push_back({pointer, fmt::format("only goes with \"{}\": {}; here it is {}", key.only_with->key,
-                                                 key.only_with->value, place.neighbour.dump())});
+        checking.problems.push_back({pointer, wrong_place(*key.only_with, place.neighbour)});
         return {};
     }
-    if (given) return check_node(*given, child, pointer, problems);
+    if (given) return check_node(*given, child, pointer, checking);
     if (place.place != Place::right) return {};
     if (key.required) {
-        problems.push_back({pointer, "this key is required and missing. " + key.meaning});
+        checking.problems.push_back({pointer, "this key is required and missing. " + key.meaning});
         return {};
     }
     if (key.otherwise && !replaced(child.name, object, node))
-        return check_node(Json::parse(*key.otherwise), child, pointer, problems);
+        return check_node(default_of(key, checking.analysis), child, pointer, checking);
     return {};
 }
 
-Json check_object(const Json& object, const Node& node, const std::string& pointer, Problems& problems) {
+Json check_object(const Json& object, const Node& node, const std::string& pointer, Checking& checking) {
     Json checked = Json::object();
     for (const Node& child : node.children) {
-        std::optional<Json> value = check_child(object, node, child, pointer + "/" + child.name, problems);
+        std::optional<Json> value = check_child(object, node, child, pointer + "/" + child.name, checking);
         if (value) checked[child.name] = std::move(*value);
     }
     for (const auto& [name, value] : object.items())
-        if (!node.find(name)) report_unknown_key(name, node, pointer, problems);
-    for (const Group* group : node.groups) check_group(*group, object, pointer, problems);
+        if (!node.find(name)) report_unknown_key(name, node, pointer, checking.problems);
+    for (const Group* group : node.groups) check_group(*group, object, pointer, checking.problems);
     return checked;
 }
 
-Json check_list(const Json& list, const Node& node, const std::string& pointer, Problems& problems) {
+Json check_list(const Json& list, const Node& node, const std::string& pointer, Checking& checking) {
     if (!contains(node.key->range, static_cast<double>(list.size()))) {
         const Range& range = node.key->range;
         const std::string needed =
             range.minimum == range.maximum ? fmt::format("exactly {}", *range.minimum) : in_words(range, "");
-        problems.push_back({pointer, fmt::format("{} entries are needed, not {}", needed, list.size())});
+        checking.problems.push_back({pointer, fmt::format("{} entries are needed, not {}", needed, list.size())});
     }
     Json checked = Json::array();
     const Node& entry = node.children.front();
     for (std::size_t i = 0; i < list.size(); ++i) {
-        std::optional<Json> value = check_node(list[i], entry, fmt::format("{}/{}", pointer, i), problems);
+        std::optional<Json> value = check_node(list[i], entry, fmt::format("{}/{}", pointer, i), checking);
         // Something must hold the place of a wrong entry, or later pointers would name the wrong one.
         checked.push_back(value ? std::move(*value) : entry.key->kind == Kind::object ? Json::object() : Json(""));
     }
     return checked;
 }
 
-Json check_map(const Json& map, const Node& node, const std::string& pointer, Problems& problems) {
+Json check_map(const Json& map, const Node& node, const std::string& pointer, Checking& checking) {
     Json checked = Json::object();
     for (const auto& [name, value] : map.items()) {
         std::optional<Json> entry =
-            check_node(value, node.children.front(), pointer + "/" + pointer_token(name), problems);
+            check_node(value, node.children.front(), pointer + "/" + pointer_token(name), checking);
         checked[name] = entry ? std::move(*entry) : Json::object();
     }
     return checked;
 }
 
-std::optional<Json> check_node(const Json& value, const Node& node, const std::string& pointer, Problems& problems) {
+std::optional<Json> check_node(const Json& value, const Node& node, const std::string& pointer, Checking& checking) {
     const Kind kind = node.key->kind;
     const bool list = kind == Kind::list;
-    if (!list && kind != Kind::object && kind != Kind::map) return check_value(value, *node.key, pointer, problems);
+    if (!list && kind != Kind::object && kind != Kind::map) return check_value(value, *node.key, pointer, checking);
     if (list ? !value.is_array() : !value.is_object()) {
-        problems.push_back(
+        checking.problems.push_back(
             {pointer, fmt::format("{} is needed, not {}", list ? "a list [ ]" : "an object { }", in_words(value))});
         return {};
     }
-    if (list) return check_list(value, node, pointer, problems);
-    if (kind == Kind::map) return check_map(value, node, pointer, problems);
-    return check_object(value, node, pointer, problems);
+    if (list) return check_list(value, node, pointer, checking);
+    if (kind == Kind::map) return check_map(value, node, pointer, checking);
+    return check_object(value, node, pointer, checking);
 }
 
 } // namespace
 
+std::optional<Analysis> analysis_of(const Json& scene) {
+    const Json* given = find(scene, "analysis");
+    const Json word = given ? *given : Json::parse(*scene_specification().find("analysis")->key->otherwise);
+    if (!word.is_string()) return {};
+    return value_of(analysis_words, word.get_ref<const std::string&>());
+}
+
+Json default_of(const Key& key, std::optional<Analysis> analysis) {
+    Json value = Json::parse(*key.otherwise);
+    const bool vector = key.kind == Kind::vector || (key.kind == Kind::per_axis && value.is_array());
+    const std::size_t components = vector && analysis ? std::size_t(dimension(*analysis)) : 0;
+    while (value.size() < components) value.push_back(0);
+    return value;
+}
+
 CheckedScene check_scene(const Json& scene) {
     CheckedScene result{Json::object(), {}};
-    std::optional<Json> checked = check_node(scene, scene_specification(), "", result.problems);
+    Checking checking{scene, analysis_of(scene), result.problems};
+    std::optional<Json> checked = check_node(scene, scene_specification(), "", checking);
     if (checked) result.scene = std::move(*checked);
     return result;
 }

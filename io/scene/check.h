@@ -2,6 +2,7 @@
 #include "io/scene/json.h"
 #include "io/scene/specification.h"
 #include "scene/problem.h"
+#include "scene/scene.h"
 
 #include <optional>
 #include <vector>
@@ -18,9 +19,22 @@ struct CheckedScene {
 /// Checks keys, types, units, ranges and words, and fills in defaults.
 CheckedScene check_scene(const Json& scene);
 
+/// What checking a value of a scene needs to know of the whole.
+struct Checking {
+    const Json& scene;                ///< as written
+    std::optional<Analysis> analysis; ///< analysis_of(scene)
+    std::vector<Problem>& problems;   ///< found so far
+};
+
+/// The analysis that an unchecked scene asks for, which decides how many components vectors have; nothing if what it
+/// says is no analysis.
+std::optional<Analysis> analysis_of(const Json& scene);
+
+/// The default of a key that has one; a vector with as many components as the analysis needs.
+Json default_of(const Key& key, std::optional<Analysis> analysis);
+
 /// The checked value of a key that has no keys below it; nothing if it is unusable, with the problem added.
-std::optional<Json> check_value(const Json& json, const Key& key, const std::string& pointer,
-                                std::vector<Problem>& problems);
+std::optional<Json> check_value(const Json& json, const Key& key, const std::string& pointer, Checking& checking);
 
 /// A value in words for a message: `the text "abc"`, `a list`, `3`.
 std::string in_words(const Json& value);

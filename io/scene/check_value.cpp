@@ -1,6 +1,6 @@
 #include "io/scene/check.h"
 
-#include "scene/scene.h"
+#include "io/scene/check_parts.h"
 #include "scene/suggest.h"
 
 #include <cmath>
@@ -11,21 +11,7 @@ namespace abut {
 
 namespace {
 
-/// A value on its way through the checks, and where to complain about it.
-struct Value {
-    const Json& json;
-    const Key& key;
-    const std::string& pointer;
-    std::vector<Problem>& problems;
-
-    std::nullopt_t wrong(const std::string& message) const {
-        problems.push_back({pointer, message});
-        return std::nullopt;
-    }
-    std::nullopt_t wrong_type(const std::string& needed) const {
-        return wrong(fmt::format("{} is needed, not {}", needed, in_words(json)));
-    }
-};
+using Value = CheckedValue;
 
 std::string hint(const Key& key) {
     return key.hint.empty() ? "" : "; " + key.hint;
@@ -42,46 +28,6 @@ std::optional<Json> in_range(double number, const Value& value, const std::strin
     if (contains(value.key.range, number)) return Json(number);
     const std::string given = value.json.is_string() ? value.json.get<std::string>() : value.json.dump();
     return value.wrong(fmt::format("must be {}, not {}{}", in_words(value.key.range, unit), given, hint(value.key)));
-}
-
-std::optional<Json> quantity(const Value& value) {
-    const Dimension& dimension = value.key.dimension;
-    if (is_later_word(value.json, value.key)) {
-        return value.wrong(fmt::format("{} is not available in this version of abut; {} ({}) is needed",
-                                       value.json.dump(), name_of(dimension), unit_of(dimension)));
-    }
-    if (value.json.is_number()) return in_range(value.json.get<double>(), value, unit_of(dimension));
-    if (!value.json.is_string())
-        return value.wrong_type(
-            fmt::format("{} (a number in {} or a text with a unit)", name_of(dimension), unit_of(dimension)));
-    try {
-        return in_range(parse_quantity(value.json.get<std::string>(), dimension), value, unit_of(dimension));
-    } catch (const UnitError& error) {
-        std::string message = error.what();
-        if (message.find(" needed") == std::string::npos)
-            message += fmt::format("; {} ({}) is needed", name_of(dimension), unit_of(dimension));
-        return value.wrong(message);
-    }
-}
-
-std::optional<Json> vector(const Value& value) {
-    const std::size_t components = dimension(Analysis::plane_strain);
-    if (!value.json.is_array()) {
-        return value.wrong_type(fmt::format("a list of {} components ({}, {} each)", components,
-                                            name_of(value.key.dimension), unit_of(value.key.dimension)));
-    }
-    if (value.json.size() != components) {
-        return value.wrong(
-            fmt::format("{} components are needed in a plane scene, not {}", components, value.json.size()));
-    }
-    Json list = Json::array();
-    for (std::size_t i = 0; i < components; ++i) {
-        const std::string pointer = fmt::format("{}/{}", value.pointer, i);
-        if (std::optional<Json> component = quantity({value.json[i], value.key, pointer, value.problems}))
-            list.push_back(*component);
-    }
-    if (list.size() != components) return {};
-    return list;
 }
 
 std::optional<Json> integer(const Value& value) {
@@ -123,16 +69,47 @@ std::optional<Json> colour(const Value& value) {
 
 } // namespace
 
-std::optional<Json> check_value(const Json& json, const Key& key, const std::string& pointer,
-                                std::vector<Problem>& problems) {
-    const Value value{json, key, pointer, problems};
+std::nullopt_t CheckedValue::wrong(const std::string& message) const {
+    checking.problems.push_back({pointer, message});
+    return std::nullopt;
+}
+
+std::nullopt_t CheckedValue::wrong_type(const std::string& needed) const {
+    return wrong(fmt::format("{} is needed, not {}", needed, in_words(json)));
+}
+
+std::optional<Json> check_quantity(const CheckedValue& value) {
+    const Dimension& dimension = value.key.dimension;
+    if (value.json.is_number()) return in_range(value.json.get<double>(), value, unit_of(dimension));
+    if (dimension == dimensions::none) return value.wrong_type("a number without unit");
+    if (!value.json.is_string())
+        return value.wrong_type(
+            fmt::format("{} (a number in {} or a text with a unit)", name_of(dimension), unit_of(dimension)));
+    try {
+        return in_range(parse_quantity(value.json.get<std::string>(), dimension), value, unit_of(dimension));
+    } catch (const UnitError& error) {
+        std::string message = error.what();
+        if (message.find(" needed") == std::string::npos)
+            message += fmt::format("; {} ({}) is needed", name_of(dimension), unit_of(dimension));
+        return value.wrong(message);
+    }
+}
+
+std::optional<Json> check_value(const Json& json, const Key& key, const std::string& pointer, Checking& checking) {
+    const Value value{json, key, pointer, checking};
     switch (key.kind) {
     case Kind::quantity:
-        return quantity(value);
+        return check_quantity(value);
     case Kind::vector:
-        return vector(value);
+        return check_vector(value);
     case Kind::per_axis:
-        return json.is_array() ? vector(value) : quantity(value);
+        return json.is_array() ? check_vector(value) : check_quantity(value);
+    case Kind::matrix:
+        return check_matrix(value);
+    case Kind::function:
+        return check_function(value);
+    case Kind::functions:
+        return check_functions(value);
     case Kind::number:
         if (!json.is_number()) return value.wrong_type("a number without unit");
         return in_range(json.get<double>(), value, "");

@@ -1,9 +1,11 @@
 #include "io/scene/overrides.h"
 
+#include "io/scene/check.h"
 #include "io/scene/parse_json.h"
 #include "io/scene/specification.h"
 #include "scene/suggest.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>
@@ -88,21 +90,43 @@ std::optional<std::string> enter_key(Walk& walk, const std::string& token) {
     return {};
 }
 
+/// One part of a function of time that is an object; what fits together, checking finds out later.
+std::optional<std::string> enter_function(Walk& walk, const std::string& token) {
+    static const std::vector<std::string> known{"times", "values", "pulse", "start", "width", "peak"};
+    if (std::find(known.begin(), known.end(), token) == known.end())
+        return fmt::format("a function of time has no \"{}\"{}", token, did_you_mean(token, known));
+    walk.made = walk.made || !walk.value->contains(token);
+    walk.value = &(*walk.value)[token];
+    return {};
+}
+
 /// Puts what a key would hold by default where there is nothing yet, so that a part of it can be set.
-void fill(Json& value, const Key& key) {
+void fill(Json& value, const Key& key, const Json& scene) {
     if (!value.is_null()) return;
     if (key.otherwise) {
-        value = Json::parse(*key.otherwise);
+        value = default_of(key, analysis_of(scene));
     } else if (key.kind == Kind::object || key.kind == Kind::map) {
         value = Json::object();
     }
 }
 
-std::optional<std::string> enter(Walk& walk, const std::string& token, bool last) {
+/// Whether a value without keys of the table below it has parts as it stands in the scene.
+bool has_parts(const Key& key, const Json& value) {
+    if (key.kind == Kind::vector || key.kind == Kind::per_axis || key.kind == Kind::matrix) return true;
+    return key.kind == Kind::functions || (key.kind == Kind::function && value.is_array());
+}
+
+std::optional<std::string> enter(Walk& walk, const std::string& token, bool last, const Json& scene) {
     const Key& key = *walk.node->key;
-    fill(*walk.value, key);
+    const bool of_function = key.kind == Kind::function || key.kind == Kind::functions;
+    if (of_function && walk.value->is_object()) {
+        std::optional<std::string> message = enter_function(walk, token);
+        walk.pointer += "/" + pointer_token(token);
+        return message;
+    }
+    fill(*walk.value, key, scene);
     const bool named = key.kind == Kind::object || key.kind == Kind::map;
-    const bool numbered = key.kind == Kind::list || key.kind == Kind::vector || key.kind == Kind::per_axis;
+    const bool numbered = key.kind == Kind::list || has_parts(key, *walk.value);
     if (!named && !numbered) return fmt::format("\"{}\" is a single value, nothing is below it", walk.pointer);
     if (named && !walk.value->is_object()) return fmt::format("\"{}\" is not an object in the scene", walk.pointer);
     std::optional<std::string> message = numbered                ? enter_entry(walk, token)
@@ -131,7 +155,7 @@ void apply_override(Json& scene, const std::string& override, std::vector<Proble
     Walk parent = walk;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         parent = walk;
-        if (const std::optional<std::string> message = enter(walk, tokens[i], i + 1 == tokens.size())) {
+        if (const std::optional<std::string> message = enter(walk, tokens[i], i + 1 == tokens.size(), scene)) {
             problems.push_back({pointer, "--set: " + *message});
             return;
         }

@@ -22,7 +22,8 @@ std::string code_list(const std::vector<std::string>& words, const std::string& 
 
 /// The kind of a key's value, with its unit and range, in words.
 std::string type_of(const Key& key) {
-    const std::string unit = unit_of(key.dimension);
+    const bool plain = key.dimension == dimensions::none;
+    const std::string unit = plain ? "numbers" : unit_of(key.dimension);
     const bool limited = key.range.minimum || key.range.maximum;
     const std::string range = limited ? ", " + in_words(key.range, "") : "";
     const std::string entries = limited && key.range.minimum == key.range.maximum
@@ -39,9 +40,15 @@ std::string type_of(const Key& key) {
     case Kind::quantity:
         return unit + range;
     case Kind::vector:
-        return fmt::format("[{0}, {0}]{1}", unit, range);
+        return fmt::format("vector of {}{}", unit, range);
     case Kind::per_axis:
-        return fmt::format("{0} or [{0}, {0}]{1}", unit, range);
+        return fmt::format("{0} or vector of {0}{1}", unit, range);
+    case Kind::matrix:
+        return "matrix of " + unit;
+    case Kind::function:
+        return fmt::format("function, {}{}{}", unit, key.words.empty() ? "" : ", or ", code_list(key.words));
+    case Kind::functions:
+        return "vector of functions, " + unit;
     case Kind::number:
         return "number" + range;
     case Kind::integer:
@@ -71,7 +78,11 @@ std::string default_of(const Key& key) {
 
 std::string meaning_of(const Key& key) {
     if (!key.only_with) return key.meaning;
-    return fmt::format("{} Only with `\"{}\": {}`.", key.meaning, key.only_with->key, key.only_with->value);
+    const OnlyWith& only = *key.only_with;
+    if (only.values.empty()) return fmt::format("{} Only with `{}`.", key.meaning, only.name());
+    std::string values;
+    for (const std::string& value : only.values) values += (values.empty() ? "" : " \\| ") + value;
+    return fmt::format("{} Only with `\"{}\": {}`.", key.meaning, only.name(), values);
 }
 
 std::string sentence_of(const Group& group) {

@@ -13,13 +13,16 @@ namespace abut {
 
 /// What may stand at a key.
 enum class Kind {
-    object,   ///< the keys below it and no others
-    list,     ///< of what stands at its path with "/#"; `range` counts the entries
-    map,      ///< from names to what stands at its path with "/*"
-    quantity, ///< number (SI) or text with a unit
-    vector,   ///< list of quantities, one per axis
-    per_axis, ///< one quantity, or a list of one per axis
-    number,   ///< without dimension
+    object,    ///< the keys below it and no others
+    list,      ///< of what stands at its path with "/#"; `range` counts the entries
+    map,       ///< from names to what stands at its path with "/*"
+    quantity,  ///< number (SI) or text with a unit
+    vector,    ///< list of quantities, one per axis
+    per_axis,  ///< one quantity, or a list of one per axis
+    matrix,    ///< list of one row per axis, each a list of one quantity per axis
+    function,  ///< of time: one quantity, {"times", "values"} or {"pulse"} (check_function.cpp); or one of `words`
+    functions, ///< list of functions of time, one per axis
+    number,    ///< without dimension
     integer,
     boolean,
     text,
@@ -47,10 +50,17 @@ constexpr Range from_to(double minimum, double maximum) {
     return {minimum, maximum, false, false};
 }
 
-/// The key may be used only where its neighbour `key` (or that one's default) has the value `value` (JSON text).
+/// The key may be used only where its neighbour `key` (or that one's default) has one of the `values` (JSON texts), or
+/// is given at all if there are none. A key that begins with "/" is one of the scene itself: "/analysis".
 struct OnlyWith {
     std::string key;
-    std::string value;
+    std::vector<std::string> values;
+    std::string why{}; ///< added to the message about a wrong place
+
+    /// Whether `key` is one of the scene itself.
+    bool of_scene() const { return key.starts_with('/'); }
+    /// Name of the neighbour.
+    std::string name() const { return of_scene() ? key.substr(1) : key; }
 };
 
 /// One key of the scene file.
@@ -58,10 +68,10 @@ struct Key {
     std::string path; ///< JSON pointer pattern: "/bodies/#/disk/center"; "#" is any list entry, "*" any name
     Kind kind = Kind::object;
     Dimension dimension{};
-    std::vector<std::string> words{};       ///< allowed words
+    std::vector<std::string> words{};       ///< allowed words (of a function: instead of one)
     std::vector<std::string> later_words{}; ///< planned words
     bool required = false;                  ///< (where `only_with` holds)
-    std::optional<std::string> otherwise{}; ///< default, JSON text
+    std::optional<std::string> otherwise{}; ///< default, JSON text; vectors get as many zeros more as they need
     Range range{};
     std::optional<OnlyWith> only_with{};
     std::string hint{};    ///< added to the message about a value out of range or an unknown word

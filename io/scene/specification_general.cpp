@@ -15,15 +15,18 @@ std::vector<Key> general_keys() {
         {.path = "/analysis",
          .kind = Kind::word,
          .words = texts(analysis_words),
-         .later_words = {"plane-stress", "axisymmetric", "3d"},
          .otherwise = quoted("plane-strain"),
-         .meaning = "Kind of analysis; plane ones use vectors with 2 components."},
+         .meaning =
+             "Kind of analysis. Vectors have 3 components in `3d`, else 2; in `axisymmetric` they are the radius "
+             "r (x) and the axis z (y), and a body is the full ring."},
         {.path = "/thickness",
          .kind = Kind::quantity,
          .dimension = dimensions::length,
          .otherwise = "1",
          .range = above(0),
-         .meaning = "Thickness of a plane scene; masses, forces and energies are for this thickness."},
+         .only_with = OnlyWith{"analysis", quoted_all({"plane-strain", "plane-stress"})},
+         .meaning = "Thickness of a plane scene (in plane stress the one before loading); masses, forces and energies "
+                    "are for this thickness."},
 
         {.path = "/grid", .kind = Kind::object, .required = true, .meaning = "The background grid."},
         {.path = "/grid/cell",
@@ -66,9 +69,10 @@ std::vector<Key> general_keys() {
         {.path = "/method/shape",
          .kind = Kind::word,
          .words = texts(shape_words),
-         .later_words = {"gimp", "b2spline", "b2gimp", "b2cpdi"},
          .otherwise = quoted("cpdi"),
-         .meaning = "Shape functions between particles and nodes."},
+         .meaning = "Shape functions between particles and nodes: `linear` sees particles as points, `ugimp` as boxes "
+                    "that keep their size, `gimp` as boxes that stretch, `cpdi` as boxes that stretch, shear and turn; "
+                    "`b2spline`, `b2gimp` and `b2cpdi` are smoother and wider, with quadratic B-splines."},
         {.path = "/method/transfer",
          .kind = Kind::object,
          .otherwise = "{}",
@@ -76,32 +80,45 @@ std::vector<Key> general_keys() {
         {.path = "/method/transfer/scheme",
          .kind = Kind::word,
          .words = texts(scheme_words),
-         .later_words = {"fmpm"},
          .otherwise = quoted("flip"),
          .meaning = "How velocities come back: `flip` keeps all detail and noise, `pic` damps most, `xpic` damps "
-                    "little and filters noise."},
+                    "little and filters noise, `fmpm` does so by an approximation to the full mass matrix."},
         {.path = "/method/transfer/order",
          .kind = Kind::integer,
          .otherwise = "2",
          .range = from_to(1, 100),
-         .only_with = OnlyWith{"scheme", quoted("xpic")},
-         .meaning = "Number k of terms of XPIC(k); 1 is PIC."},
+         .only_with = OnlyWith{"scheme", quoted_all({"xpic", "fmpm"})},
+         .hint = "beyond about 16, round-off and cost outweigh what is gained",
+         .meaning = "Number k of terms of XPIC(k) or FMPM(k); 1 is PIC. Beyond about 16, round-off and cost outweigh "
+                    "what is gained."},
         {.path = "/method/transfer/position",
          .kind = Kind::word,
          .words = texts(position_words),
-         .otherwise = quoted("end-velocity"),
-         .meaning = "How `pic` and `xpic` move particles: with the grid velocities at the end of the step, which also "
-                    "deform them, or from those at its start, as published for XPIC (leaves cracks and overlaps after "
-                    "large compression)."},
+         .only_with = OnlyWith{"scheme", quoted_all({"pic", "xpic", "fmpm"})},
+         .meaning = "How particles move: with the grid velocities at the end of the step, which also deform them; from "
+                    "those at its start, as published for XPIC (not with `fmpm`; leaves cracks and overlaps after "
+                    "large compression); or with the mean of the particle's own velocities before and after the step, "
+                    "as published for FMPM (not with `xpic`). Not given: `mean-velocity` with `fmpm`, else "
+                    "`end-velocity`."},
         {.path = "/method/transfer/every_cfl",
-         .kind = Kind::later,
-         .meaning = "Interval between periodic transfers, in CFL steps."},
+         .kind = Kind::number,
+         .range = above(0),
+         .only_with = OnlyWith{"scheme", quoted_all({"pic", "xpic", "fmpm"})},
+         .meaning = "Time between two steps with this scheme, as a multiple of (cell size / wave speed) like "
+                    "`/time/cfl`; the steps between are `flip` steps. Not given: every step."},
         {.path = "/method/stress_update",
          .kind = Kind::word,
          .words = texts(stress_update_words),
-         .later_words = {"usavg", "usl+", "usavg+"},
          .otherwise = quoted("usl"),
-         .meaning = "When stresses are updated: `usf` first, `usl` last in a time step."},
+         .meaning = "When stresses are updated: `usf` first, `usl` last in a time step, `usavg` by half at both ends; "
+                    "`usl+` and `usavg+` extrapolate the new particle velocities to the grid before the last update."},
+        {.path = "/method/velocity_conditions",
+         .kind = Kind::word,
+         .words = texts(velocity_conditions_words),
+         .otherwise = quoted("combined"),
+         .meaning = "Where velocities set at nodes (walls, `velocity` boundaries) enter the mass matrix calculation of "
+                    "`fmpm`: `lumped` before it, so that neighbours feel them; `velocity` after it, so that they "
+                    "hold; `combined` both. Other schemes have only `combined`."},
 
         {.path = "/gravity",
          .kind = Kind::vector,

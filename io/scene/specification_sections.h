@@ -11,9 +11,19 @@ inline std::string quoted(const std::string& word) {
     return '"' + word + '"';
 }
 
+/// Words as JSON texts.
+inline std::vector<std::string> quoted_all(std::vector<std::string> words) {
+    for (std::string& word : words) word = quoted(word);
+    return words;
+}
+
+/// Analyses of two dimensions, and three.
+inline const OnlyWith only_in_plane{"/analysis", quoted_all({"plane-strain", "plane-stress", "axisymmetric"})};
+inline const OnlyWith only_in_3d{"/analysis", quoted_all({"3d"})};
+
 std::vector<Key> general_keys();  ///< the scene, grid, time, method, gravity, output
 std::vector<Key> matter_keys();   ///< materials, bodies, images
 std::vector<Key> contact_keys();  ///< contact and its laws
-std::vector<Key> boundary_keys(); ///< walls
+std::vector<Key> boundary_keys(); ///< walls, velocities, tractions
 
 } // namespace abut

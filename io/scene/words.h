@@ -21,18 +21,29 @@ struct Word {
 template <class Value>
 Word(const char*, Value) -> Word<Value>;
 
-inline constexpr std::array analysis_words{Word{"plane-strain", Analysis::plane_strain}};
-inline constexpr std::array shape_words{Word{"linear", ShapeKind::linear}, Word{"ugimp", ShapeKind::ugimp},
-                                        Word{"cpdi", ShapeKind::cpdi}};
+inline constexpr std::array analysis_words{Word{"plane-strain", Analysis::plane_strain},
+                                           Word{"plane-stress", Analysis::plane_stress},
+                                           Word{"axisymmetric", Analysis::axisymmetric}, Word{"3d", Analysis::three_d}};
+inline constexpr std::array shape_words{Word{"linear", ShapeKind::linear},     Word{"ugimp", ShapeKind::ugimp},
+                                        Word{"gimp", ShapeKind::gimp},         Word{"cpdi", ShapeKind::cpdi},
+                                        Word{"b2spline", ShapeKind::b2spline}, Word{"b2gimp", ShapeKind::b2gimp},
+                                        Word{"b2cpdi", ShapeKind::b2cpdi}};
 inline constexpr std::array scheme_words{Word{"flip", TransferScheme::flip}, Word{"pic", TransferScheme::pic},
-                                         Word{"xpic", TransferScheme::xpic}};
+                                         Word{"xpic", TransferScheme::xpic}, Word{"fmpm", TransferScheme::fmpm}};
 inline constexpr std::array three_or_more_words{Word{"lumped", ThreeOrMore::lumped},
                                                 Word{"explicit", ThreeOrMore::explicit_}};
 inline constexpr std::array position_words{Word{"end-velocity", PositionUpdate::end_velocity},
-                                           Word{"start-velocity", PositionUpdate::start_velocity}};
-inline constexpr std::array stress_update_words{Word{"usf", StressUpdate::usf}, Word{"usl", StressUpdate::usl}};
+                                           Word{"start-velocity", PositionUpdate::start_velocity},
+                                           Word{"mean-velocity", PositionUpdate::mean_velocity}};
+inline constexpr std::array stress_update_words{Word{"usf", StressUpdate::usf}, Word{"usavg", StressUpdate::usavg},
+                                                Word{"usl", StressUpdate::usl}, Word{"usl+", StressUpdate::usl_plus},
+                                                Word{"usavg+", StressUpdate::usavg_plus}};
+inline constexpr std::array velocity_conditions_words{Word{"combined", VelocityConditions::combined},
+                                                      Word{"velocity", VelocityConditions::velocity},
+                                                      Word{"lumped", VelocityConditions::lumped}};
 inline constexpr std::array model_words{Word{"neo-hookean", MaterialModel::neo_hookean},
-                                        Word{"neo-hookean-isochoric", MaterialModel::neo_hookean_isochoric}};
+                                        Word{"neo-hookean-isochoric", MaterialModel::neo_hookean_isochoric},
+                                        Word{"linear-elastic", MaterialModel::linear_elastic}};
 inline constexpr std::array normal_words{Word{"logistic-regression", NormalMethod::logistic_regression},
                                          Word{"average-gradient", NormalMethod::average_gradient}};
 inline constexpr std::array separation_words{Word{"particle-edges", SeparationMethod::particle_edges},
@@ -41,8 +52,10 @@ inline constexpr std::array separation_words{Word{"particle-edges", SeparationMe
                                              Word{"none", SeparationMethod::none}};
 inline constexpr std::array law_words{Word{"frictionless", LawType::frictionless}, Word{"friction", LawType::friction},
                                       Word{"stick", LawType::stick}, Word{"perfect", LawType::perfect}};
-inline constexpr std::array axis_words{Word{"x", 0}, Word{"y", 1}};
+inline constexpr std::array axis_words{Word{"x", 0}, Word{"y", 1}, Word{"z", 2}};
 inline constexpr std::array side_words{Word{"lower", Side::lower}, Word{"upper", Side::upper}};
+/// Instead of a gradient of a wall's velocity.
+inline constexpr const char* estimated_word = "estimated";
 /// Whether the first row of an image is its top.
 inline constexpr std::array top_row_words{Word{"top", true}, Word{"bottom", false}};
 

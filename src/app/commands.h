@@ -37,8 +37,10 @@ struct RunOptions {
     bool quiet = false;
 };
 
-/// Refuses a scene whose fixed time step is above the stable one of its first state: SceneError at /time/step.
-void check_first_step(const State<2>& state, const std::filesystem::path& scene);
+/// Refuses a scene that only shows to be wrong once its particles are there: SceneError with the problems of
+/// check_state() (see step/check_state.h).
+template <int D>
+void check_start(State<D>& state, const std::filesystem::path& scene);
 
 /// Tells on stderr what the scene's author may want to know; see advice().
 void print_advice(const Scene& scene, const std::filesystem::path& file);

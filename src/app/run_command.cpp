@@ -78,27 +78,24 @@ void make_ready(const std::filesystem::path& folder, const RunOptions& options, 
     }
 }
 
-} // namespace
-
-int run_command(const RunOptions& options) {
-    const auto start = std::chrono::steady_clock::now();
+/// Runs a scene in its number of dimensions.
+template <int D>
+int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::steady_clock::time_point start) {
     const std::clock_t cpu_start = std::clock();
-    const LoadedScene loaded = load_scene(options.scene.scene, options.scene.set);
-    print_advice(loaded.scene, options.scene.scene);
     const double end = end_time(options, loaded.scene);
     const Model model = build_model(loaded.scene, options.scene.scene.string());
     if (options.threads > 0) omp_set_num_threads(options.threads);
 
     std::filesystem::path folder = options.output;
     if (folder.empty()) folder = options.scene.scene.stem().string() + "-results";
-    State<2> state = make_state<2>(loaded.scene, model);
-    check_first_step(state, options.scene.scene);
+    State<D> state = make_state<D>(loaded.scene, model);
+    check_start(state, options.scene.scene);
     make_ready(folder, options, loaded.scene);
 
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
     std::signal(SIGXFSZ, SIG_IGN); // a file over the limit (ulimit -f) is then reported as a write that failed
-    std::vector<Task<2>> tasks = step_tasks<2>(loaded.scene);
+    std::vector<Task<D>> tasks = step_tasks<D>(loaded.scene);
     RunFiles files(folder, loaded.resolved, state);
     Progress progress(options.quiet ? ProgressMode::quiet : ProgressMode::automatic, end);
     RunTiming timing;
@@ -109,8 +106,8 @@ int run_command(const RunOptions& options) {
     frames.due(0);
     history.due(0);
     const auto write_frames = [&] {
-        const double overlap = files.write_frames(state);
-        progress.note(state.effects.contact ? fmt::format("interpenetration {:.2e} of the area", overlap) : "");
+        const std::optional<double> overlap = files.write_frames(state);
+        progress.note(overlap ? fmt::format("interpenetration {:.2e} of the area", *overlap) : "");
     };
     const auto finish = [&] {
         timing.wall_seconds = seconds_since(start);
@@ -154,6 +151,15 @@ int run_command(const RunOptions& options) {
         return 130;
     }
     return 0;
+}
+
+} // namespace
+
+int run_command(const RunOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    const LoadedScene loaded = load_scene(options.scene.scene, options.scene.set);
+    print_advice(loaded.scene, options.scene.scene);
+    return dimension(loaded.scene.analysis) == 3 ? run<3>(options, loaded, start) : run<2>(options, loaded, start);
 }
 
 } // namespace abut

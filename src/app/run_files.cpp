@@ -32,14 +32,16 @@ void write_to_series(PvdSeries& series, const char* name, const char* extension,
 
 } // namespace
 
-RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<2>& state)
+template <int D>
+RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state)
     : folder_(folder), history_(folder / "history.csv", history_columns(state)),
       bodies_(folder / "bodies.csv", with_key_columns(body_columns())),
       particles_{folder / "particles.pvd", {}}, grid_{folder / "grid.pvd", {}}, contact_{folder / "contact.pvd", {}} {
     write_text_atomically(folder / "scene.json", resolved_scene);
 }
 
-void RunFiles::write_history(State<2>& state) {
+template <int D>
+void RunFiles::write_history(State<D>& state) {
     const std::vector<Totals> by_body = body_totals(state);
     Totals all;
     for (const Totals& totals : by_body) all += totals;
@@ -55,16 +57,18 @@ void RunFiles::write_history(State<2>& state) {
     bodies_.flush();
 }
 
-double RunFiles::write_frames(State<2>& state) {
+template <int D>
+std::optional<double> RunFiles::write_frames(State<D>& state) {
     look(state);
     const OutputSpec& output = state.scene.output;
-    double fraction = 0;
+    std::optional<double> fraction;
     if (output.particles) {
         PointFrame frame = particle_frame(state);
-        if (state.effects.contact) {
-            fraction = interpenetration(state.particles).fraction();
-            frame.globals.push_back({"interpenetration", 1, std::vector<double>{fraction}});
-        }
+        if constexpr (D == 2)
+            if (state.effects.contact) {
+                fraction = interpenetration(state.particles).fraction();
+                frame.globals.push_back({"interpenetration", 1, std::vector<double>{*fraction}});
+            }
         write_to_series(particles_, "particles", "vtu", frame_, frame, write_particles);
     }
     if (output.grid) write_to_series(grid_, "grid", "vti", frame_, grid_frame(state), write_grid);
@@ -74,12 +78,14 @@ double RunFiles::write_frames(State<2>& state) {
     return fraction;
 }
 
-void RunFiles::write_failed(const State<2>& state) {
+template <int D>
+void RunFiles::write_failed(const State<D>& state) {
     std::filesystem::create_directories(folder_ / "particles");
     write_particles(folder_ / "particles/failed.vtu", particle_frame(state));
 }
 
-void write_timing(const std::filesystem::path& file, const State<2>& state, const std::vector<Task<2>>& tasks,
+template <int D>
+void write_timing(const std::filesystem::path& file, const State<D>& state, const std::vector<Task<D>>& tasks,
                   const RunTiming& timing) {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -95,11 +101,24 @@ void write_timing(const std::filesystem::path& file, const State<2>& state, cons
         {"threads", timing.threads},
         {"peak_memory_bytes", std::size_t(usage.ru_maxrss) * 1024},
         {"ns_per_particle_step", particle_steps > 0 ? timing.solver_seconds * 1e9 / particle_steps : 0.0}};
-    for (const Task<2>& task : tasks) {
+    for (const Task<D>& task : tasks) {
         auto& seconds = json["tasks"][task.name];
-        seconds = (seconds.is_null() ? 0.0 : seconds.get<double>()) + task.seconds;
+        seconds = (seconds.is_null() ? 0.0 : double(seconds)) + task.seconds;
     }
     write_text_atomically(file, json.dump(2) + "\n");
 }
+
+template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<2>&);
+template void RunFiles::write_history<2>(State<2>&);
+template std::optional<double> RunFiles::write_frames<2>(State<2>&);
+template void RunFiles::write_failed<2>(const State<2>&);
+template void write_timing<2>(const std::filesystem::path&, const State<2>&, const std::vector<Task<2>>&,
+                              const RunTiming&);
+template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<3>&);
+template void RunFiles::write_history<3>(State<3>&);
+template std::optional<double> RunFiles::write_frames<3>(State<3>&);
+template void RunFiles::write_failed<3>(const State<3>&);
+template void write_timing<3>(const std::filesystem::path&, const State<3>&, const std::vector<Task<3>>&,
+                              const RunTiming&);
 
 } // namespace abut

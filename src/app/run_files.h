@@ -5,6 +5,7 @@
 #include "step/step.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace abut {
@@ -13,15 +14,19 @@ namespace abut {
 class RunFiles {
 public:
     /// Writes scene.json and opens the tables; the folder is ready (prepare_result_folder).
-    RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<2>& state);
+    template <int D>
+    RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state);
 
     /// A row of history.csv and the rows of bodies.csv.
-    void write_history(State<2>& state);
+    template <int D>
+    void write_history(State<D>& state);
     /// A frame of each series that the scene asks for. \return the interpenetration of bodies, as a fraction of their
-    /// area; 0 without contact
-    double write_frames(State<2>& state);
+    /// area; nothing without contact and in 3D, where it isn't measured
+    template <int D>
+    std::optional<double> write_frames(State<D>& state);
     /// The particles of a state that has gone wrong, as particles/failed.vtu.
-    void write_failed(const State<2>& state);
+    template <int D>
+    void write_failed(const State<D>& state);
 
 private:
     std::filesystem::path folder_;
@@ -42,7 +47,8 @@ struct RunTiming {
     int threads = 1;
 };
 
-void write_timing(const std::filesystem::path& file, const State<2>& state, const std::vector<Task<2>>& tasks,
+template <int D>
+void write_timing(const std::filesystem::path& file, const State<D>& state, const std::vector<Task<D>>& tasks,
                   const RunTiming& timing);
 
 } // namespace abut

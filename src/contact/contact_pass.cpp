@@ -135,8 +135,7 @@ void correct_all(State<D>& state, double carry, std::vector<Pack>& velocity, std
 template <int D>
 std::vector<std::ptrdiff_t> groups_at_walls(const State<D>& state) {
     std::vector<char> controlled(state.fields.size(), 0);
-    for (const Wall<D>& wall : state.walls)
-        for (const auto& node : wall.controlled) controlled[node.slot] = 1;
+    for (const Control& control : state.controls) controlled[control.slot] = 1;
     std::vector<std::ptrdiff_t> groups;
     for (std::size_t g = 0; g < state.contact.groups.size(); ++g) {
         const ContactGroup<D>& group = state.contact.groups[g];
@@ -163,16 +162,24 @@ template <int D>
 void second_contact_pass(State<D>& state) {
     std::vector<Pack>& velocity = state.nodes.end_velocity;
     correct_all<D>(state, state.dt, velocity, nullptr);
-    if (state.walls.empty()) return;
+    if (!state.conditions_on_lumped()) return;
     // Where a body is pressed against a wall and another body, walls and contact take turns until both are satisfied,
     // or nearly: walls have the last word.
     constexpr int turns = 10;
     const std::vector<std::ptrdiff_t> groups = groups_at_walls(state);
     for (int turn = 0; turn < turns && !groups.empty(); ++turn) {
-        for (Wall<D>& wall : state.walls) impose(wall, velocity);
+        impose(state.controls, velocity);
         for (const std::ptrdiff_t g : groups) correct_pairs<D>(state, state.contact.groups[g], velocity, nullptr);
     }
-    for (Wall<D>& wall : state.walls) impose(wall, velocity);
+    impose(state.controls, velocity);
+}
+
+template <int D>
+void correct_for_contact(State<D>& state, std::vector<Pack>& velocity, std::vector<Pack>* change) {
+    if (change) change->assign(state.fields.size(), Pack{});
+    const std::vector<ContactPoint<D>> points = state.contact.points;
+    correct_all(state, 0, velocity, change);
+    state.contact.points = points;
 }
 
 template <int D>
@@ -191,7 +198,12 @@ double contact_work(const State<D>& state) {
 }
 
 template void first_contact_pass<2>(State<2>&);
+template void first_contact_pass<3>(State<3>&);
 template void second_contact_pass<2>(State<2>&);
+template void second_contact_pass<3>(State<3>&);
+template void correct_for_contact<2>(State<2>&, std::vector<Pack>&, std::vector<Pack>*);
+template void correct_for_contact<3>(State<3>&, std::vector<Pack>&, std::vector<Pack>*);
 template double contact_work<2>(const State<2>&);
+template double contact_work<3>(const State<3>&);
 
 } // namespace abut

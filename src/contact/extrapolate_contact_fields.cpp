@@ -12,20 +12,22 @@ void extrapolate(State<D>& state, std::vector<Pack>* gradient, std::vector<Pack>
     if (gradient) gradient->assign(state.fields.size(), Pack{});
     if (mass_position) mass_position->assign(state.fields.size(), Pack{});
     const Particles<D>& particles = state.particles;
-    with_shape(state.scene.method.shape, [&](auto shape) {
-        using Shape = decltype(shape);
+    with_stencils(state, [&](auto source) {
+        using Source = decltype(source);
         for_each_tile_by_colour(state.tiling, [&](const Tile<D>& tile) {
             if (!tile.contact) return;
-            auto stencils = state.template stencils<Shape>(tile);
+            auto stencils = state.template stencils<Source>(tile);
             for (std::int32_t p = tile.first; p < tile.last; ++p) {
                 const StencilView<D> s = stencils.of(p);
-                const double volume = particles.deformation_gradient[p].determinant() * particles.volume[p];
+                const double volume =
+                    particles.deformation_gradient[p].determinant() * particles.across_of(p) * particles.volume[p];
                 const Pack position = pack<D>(0, particles.position[p] - state.grid.origin) * particles.mass[p];
                 for (int k = 0; k < s.count; ++k) {
                     const std::int32_t slot = s.slot[k];
                     if (gradient) {
                         Pack G{};
                         for (int a = 0; a < D; ++a) G[a + 1] = s.G[a][k];
+                        if constexpr (Source::ring) G[1] += s.T[k]; // the divergence of a ring's volume
                         (*gradient)[slot] += volume * G;
                     }
                     if (mass_position) (*mass_position)[slot] += s.S[k] * position;
@@ -51,6 +53,8 @@ std::vector<Pack> volume_gradients(State<D>& state) {
 }
 
 template void extrapolate_contact_fields<2>(State<2>&);
+template void extrapolate_contact_fields<3>(State<3>&);
 template std::vector<Pack> volume_gradients<2>(State<2>&);
+template std::vector<Pack> volume_gradients<3>(State<3>&);
 
 } // namespace abut

@@ -68,5 +68,6 @@ void find_groups(State<D>& state) {
 }
 
 template void find_groups<2>(State<2>&);
+template void find_groups<3>(State<3>&);
 
 } // namespace abut

@@ -161,5 +161,6 @@ void find_normals_and_separations(State<D>& state) {
 }
 
 template void find_normals_and_separations<2>(State<2>&);
+template void find_normals_and_separations<3>(State<3>&);
 
 } // namespace abut

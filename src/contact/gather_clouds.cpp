@@ -9,15 +9,15 @@ namespace abut {
 namespace {
 
 /// \return false if a cloud has more particles than it has places
-template <int D, class Shape>
-bool fill(State<D>& state, Shape) {
+template <int D, class Source>
+bool fill(State<D>& state, Source) {
     Contact<D>& contact = state.contact;
     contact.cloud_size.assign(contact.groups.size(), 0);
     contact.cloud_particles.resize(contact.groups.size() * contact.cloud_capacity);
     std::atomic<bool> complete = true;
     for_each_tile_by_colour(state.tiling, [&](const Tile<D>& tile) {
         if (!tile.contact) return;
-        auto stencils = state.template stencils<Shape>(tile);
+        auto stencils = state.template stencils<Source>(tile);
         for (std::int32_t p = tile.first; p < tile.last; ++p) {
             const StencilView<D> s = stencils.of(p);
             for (int k = 0; k < s.count; ++k) {
@@ -48,11 +48,12 @@ void gather_clouds(State<D>& state) {
     for (std::size_t g = 0; g < contact.groups.size(); ++g)
         for (std::int32_t i = contact.groups[g].first; i < contact.groups[g].last; ++i)
             contact.group_of_slot[contact.active[i]] = static_cast<std::int32_t>(g);
-    with_shape(state.scene.method.shape, [&](auto shape) {
-        while (!fill(state, shape)) contact.cloud_capacity *= 2;
+    with_stencils(state, [&](auto source) {
+        while (!fill(state, source)) contact.cloud_capacity *= 2;
     });
 }
 
 template void gather_clouds<2>(State<2>&);
+template void gather_clouds<3>(State<3>&);
 
 } // namespace abut

@@ -21,5 +21,6 @@ Grid<D> make_grid(const GridSpec& spec) {
 }
 
 template Grid<2> make_grid<2>(const GridSpec&);
+template Grid<3> make_grid<3>(const GridSpec&);
 
 } // namespace abut

@@ -36,5 +36,6 @@ void Tiling<D>::make_colours(const Grid<D>& grid, int new_stride) {
 }
 
 template struct Tiling<2>;
+template struct Tiling<3>;
 
 } // namespace abut

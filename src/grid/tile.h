@@ -26,7 +26,6 @@ struct Window {
         for (int a = 0; a < D; ++a) n *= extent(a);
         return n;
     }
-    bool is_empty() const { return lower[0] > upper[0]; }
     /// Place of a node in this window, x fastest.
     int local(const Index<D>& node) const {
         int n = node[D - 1] - lower[D - 1];
@@ -41,6 +40,21 @@ struct Window {
     }
     bool operator==(const Window&) const = default;
 };
+
+/// Calls visit(node) for the nodes of a window, x fastest.
+template <int D, class Visit>
+void for_each_node(const Window<D>& window, Visit&& visit) {
+    Index<D> node = window.lower;
+    for (;;) {
+        visit(node);
+        int a = 0;
+        while (a < D && ++node[a] > window.upper[a]) {
+            node[a] = window.lower[a];
+            ++a;
+        }
+        if (a == D) return;
+    }
+}
 
 /// The particles of one body in one block: consecutive in the particle store. All nodes that they see lie in `window`.
 template <int D>

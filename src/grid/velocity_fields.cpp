@@ -6,21 +6,6 @@ namespace abut {
 
 namespace {
 
-/// Calls visit(node) for the nodes of a window, x fastest.
-template <int D, class Visit>
-void for_each_node(const Window<D>& window, Visit&& visit) {
-    Index<D> node = window.lower;
-    for (;;) {
-        visit(node);
-        int a = 0;
-        while (a < D && ++node[a] > window.upper[a]) {
-            node[a] = window.lower[a];
-            ++a;
-        }
-        if (a == D) return;
-    }
-}
-
 /// Where a node lies: number of its block in the grid, place in the block.
 template <int D>
 struct Place {
@@ -132,5 +117,6 @@ void number_slots(const Grid<D>& grid, Tiling<D>& tiling, VelocityFields<D>& fie
 }
 
 template void number_slots<2>(const Grid<2>&, Tiling<2>&, VelocityFields<2>&);
+template void number_slots<3>(const Grid<3>&, Tiling<3>&, VelocityFields<3>&);
 
 } // namespace abut

@@ -2,6 +2,7 @@
 #include "math/linear_algebra.h"
 
 #include <cmath>
+#include <limits>
 
 namespace abut {
 
@@ -35,12 +36,57 @@ namespace abut {
     return result;
 }
 
+/// exp(A) of a 3×3 matrix: its Taylor series, every power of A brought back to A², A and I by Cayley and Hamilton,
+/// A³ = I₁ A² − I₂ A + I₃ I, so that the series is one of three numbers. Large A are halved first and the result
+/// squared.
+inline Mat<3> exponential(const Mat<3>& A) {
+    const double size = A.cwiseAbs().rowwise().sum().maxCoeff();
+    if (!(size < 700)) return Mat<3>::Constant(std::numeric_limits<double>::quiet_NaN()); // e^size overflows
+    if (size > 1) {
+        const Mat<3> half = exponential(Mat<3>(0.5 * A));
+        return half * half;
+    }
+    const Mat<3> A2 = A * A;
+    const double I1 = A.trace();
+    const double I2 = 0.5 * (I1 * I1 - A2.trace());
+    const double I3 = A(0, 0) * (A(1, 1) * A(2, 2) - A(1, 2) * A(2, 1)) -
+                      A(0, 1) * (A(1, 0) * A(2, 2) - A(1, 2) * A(2, 0)) +
+                      A(0, 2) * (A(1, 0) * A(2, 1) - A(1, 1) * A(2, 0));
+    // A^n / n! = p A² + q A + r I, from n = 2 on.
+    double p = 0.5;
+    double q = 0;
+    double r = 0;
+    double sum_p = p;
+    double sum_q = 1;
+    double sum_r = 1;
+    constexpr int most_terms = 20; // 1/20! is below round-off for size 1
+    for (int n = 3; n <= most_terms; ++n) {
+        const double next_p = (I1 * p + q) / n;
+        const double next_q = (r - I2 * p) / n;
+        r = I3 * p / n;
+        p = next_p;
+        q = next_q;
+        sum_p += p;
+        sum_q += q;
+        sum_r += r;
+        if (std::abs(p) * size * size + std::abs(q) * size + std::abs(r) < 1e-18) break;
+    }
+    Mat<3> result = sum_p * A2 + sum_q * A;
+    result.diagonal().array() += sum_r;
+    return result;
+}
+
 /// A B, component by component: the factors are in registers, and Eigen's vector code would go through memory to
 /// gather them (a third of the particle update).
-[[gnu::always_inline]] inline Mat<2> product(const Mat<2>& A, const Mat<2>& B) {
-    Mat<2> result;
-    for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) result(i, j) = A(i, 0) * B(0, j) + A(i, 1) * B(1, j);
+template <int D>
+[[gnu::always_inline]] inline Mat<D> product(const Mat<D>& A, const Mat<D>& B) {
+    Mat<D> result;
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) {
+            double sum = A(i, 0) * B(0, j);
+            for (int k = 1; k < D; ++k) sum += A(i, k) * B(k, j);
+            result(i, j) = sum;
+        }
     return result;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
+#include "material/linear_elastic.h"
 #include "material/neo_hookean.h"
 
 #include <variant>
 
 namespace abut {
 
-/// The constitutive laws. To add one: a struct with kirchhoff, energy and stiffness, and a line here and in
-/// make_material.
-using Law = std::variant<NeoHookean, NeoHookeanIsochoric>;
+/// The constitutive laws. To add one: a struct with kirchhoff, energy, stiffness and (for plane stress)
+/// stretch_without_stress, and a line here and in make_material.
+using Law = std::variant<NeoHookean, NeoHookeanIsochoric, LinearElastic>;
 
 /// A material ready for the kernels.
 struct Material {
@@ -19,6 +20,8 @@ inline Material make_material(const MaterialSpec& spec) {
     switch (spec.model) {
     case MaterialModel::neo_hookean:
         return {NeoHookean{spec.bulk_modulus - 2.0 / 3 * spec.shear_modulus, spec.shear_modulus}, spec.density};
+    case MaterialModel::linear_elastic:
+        return {LinearElastic{spec.bulk_modulus - 2.0 / 3 * spec.shear_modulus, spec.shear_modulus}, spec.density};
     case MaterialModel::neo_hookean_isochoric:
         break;
     }

@@ -1,72 +1,11 @@
 #pragma once
-#include "particles/particles.h"
+#include "material/strain.h"
 
-#include <Eigen/LU>
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
 namespace abut {
-
-/// Deformation of a particle in three dimensions' terms: left Cauchy-Green tensor b = F F^T in Stress<D>'s order and
-/// J = det F. Plane strain: b_zz = 1.
-template <int D>
-struct Strain {
-    Stress<D> b;
-    double J = 1;
-    double trace() const { return b[0] + b[1] + b[2]; }
-    /// Largest and smallest principal value of b; in 3D bounds that need no eigenvalues.
-    double largest() const {
-        if constexpr (D == 2)
-            return std::max(0.5 * (b[0] + b[1]) + in_plane_radius(), b[2]);
-        else
-            return trace();
-    }
-    double smallest() const {
-        if constexpr (D == 2)
-            return std::min(0.5 * (b[0] + b[1]) - in_plane_radius(), b[2]);
-        else
-            return 4 * J * J / (trace() * trace());
-    }
-
-private:
-    double in_plane_radius() const {
-        const double half_difference = 0.5 * (b[0] - b[1]);
-        return std::sqrt(half_difference * half_difference + b[3] * b[3]);
-    }
-};
-
-/// Component by component: see product() in deformation.h.
-template <int D>
-[[gnu::always_inline]] inline Strain<D> strain_of(const Mat<D>& F) {
-    Strain<D> s;
-    const auto b = [&](int i, int j) {
-        double sum = 0;
-        for (int k = 0; k < D; ++k) sum += F(i, k) * F(j, k);
-        return sum;
-    };
-    s.b[0] = b(0, 0);
-    s.b[1] = b(1, 1);
-    s.b[2] = D == 2 ? 1.0 : b(D - 1, D - 1);
-    s.b[3] = b(0, 1);
-    if constexpr (D == 2) {
-        s.J = F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
-    } else {
-        s.b[4] = b(1, 2);
-        s.b[5] = b(0, 2);
-        s.J = F.determinant();
-    }
-    return s;
-}
-
-/// p I + g b.
-template <int D>
-[[gnu::always_inline]] inline Stress<D> isotropic_plus(double p, double g, const Stress<D>& b) {
-    Stress<D> result;
-    for (int c = 0; c < static_cast<int>(b.size()); ++c) result[c] = g * b[c] + (c < 3 ? p : 0.0);
-    return result;
-}
 
 /// Compressible neo-Hookean solid, W = λ/2 ((J² − 1)/2 − ln J) + G/2 (I₁ − 3 − 2 ln J) (FMPM paper Eq. 6).
 struct NeoHookean {
@@ -84,6 +23,12 @@ struct NeoHookean {
     double energy(const Strain<D>& s) const {
         const double log_J = std::log(s.J);
         return 0.5 * lambda * (0.5 * (s.J * s.J - 1) - log_J) + 0.5 * G * (s.trace() - 3 - 2 * log_J);
+    }
+
+    /// Stretch across the plane for which τ_zz = 0: z² (λ/2 J₂² + G) = λ/2 + G, with J₂ = det F of the plane.
+    double stretch_without_stress(const Strain<2>& s, double z) const {
+        const double in_plane = s.J / z;
+        return std::sqrt((0.5 * lambda + G) / (0.5 * lambda * in_plane * in_plane + G));
     }
 
     /// Upper bound of ρ0 c² over all directions [Pa]. The acoustic tensor of W along a unit vector n of the deformed
@@ -119,6 +64,24 @@ struct NeoHookeanIsochoric {
     double energy(const Strain<D>& s) const {
         return 0.5 * G * (s.trace() * inverse_cube_root_squared(s.J) - 3) +
                0.5 * K * (0.5 * (s.J * s.J - 1) - std::log(s.J));
+    }
+
+    /// Stretch z across the plane for which τ_zz = K/2 (J² − 1) + g (2/3 z² − (b_xx + b_yy)/3) = 0, g = G J^(−2/3), by
+    /// Newton's method from the stretch before. τ_zz grows with z: dτ_zz/d ln z = K J² + g (8/9 z² + 2/9 (b_xx +
+    /// b_yy)).
+    double stretch_without_stress(const Strain<2>& s, double z) const {
+        const double in_plane = s.J / z;
+        const double trace = s.b[0] + s.b[1];
+        for (int i = 0; i < 50; ++i) {
+            const double J = in_plane * z;
+            const double g = G * inverse_cube_root_squared(J);
+            const double stress = 0.5 * K * (J * J - 1) + g * (2 * z * z - trace) / 3;
+            const double slope = K * J * J + g * (8 * z * z + 2 * trace) / 9;
+            const double change = stress / slope;
+            z *= std::exp(-std::clamp(change, -1.0, 1.0));
+            if (std::abs(change) < 1e-15) break;
+        }
+        return z;
     }
 
     /// Upper bound of ρ0 c² over all directions [Pa]. In the plane of a unit vector n of the deformed body and t normal

@@ -6,11 +6,11 @@
 
 namespace abut {
 
-/// A body of the model: its name, the index of its material in Scene::materials and its initial velocity [m/s].
+/// A body of the model: its name, the index of its material in Scene::materials and its initial velocity.
 struct ModelBody {
     std::string name;
     int material = 0;
-    Vector velocity{};
+    InitialVelocity velocity;
 };
 
 /// Material points before the first step, as geometry makes them: one entry a particle in the three arrays.

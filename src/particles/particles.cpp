@@ -1,6 +1,18 @@
 #include "particles/particles.h"
 
+#include <numbers>
+
 namespace abut {
+
+namespace {
+
+/// What makes a volume of a plane particle's area: the thickness, or the way around the axis [m]; 1 in 3D.
+double depth_of(const Scene& scene, const Vector& x) {
+    if (scene.analysis == Analysis::three_d) return 1;
+    return scene.analysis == Analysis::axisymmetric ? 2 * std::numbers::pi * x[0] : scene.thickness;
+}
+
+} // namespace
 
 template <int D>
 Particles<D> make_particles(const Model& model, const Scene& scene) {
@@ -8,12 +20,14 @@ Particles<D> make_particles(const Model& model, const Scene& scene) {
     const std::size_t n = model.size();
     particles.deformation_gradient.assign(n, Mat<D>::Identity());
     particles.stress.assign(n, Stress<D>::Zero());
+    if (scene.analysis == Analysis::plane_stress || scene.analysis == Analysis::axisymmetric)
+        particles.across.assign(n, 1.0);
     for (std::size_t p = 0; p < n; ++p) {
         const ModelBody& body = model.bodies[model.body[p]];
         const Vec<D> half_size = to_vec<D>(model.half_size[p]);
-        const double volume = (2 * half_size).prod() * (D == 2 ? scene.thickness : 1.0);
+        const double volume = (2 * half_size).prod() * depth_of(scene, model.position[p]);
         particles.position.push_back(to_vec<D>(model.position[p]));
-        particles.velocity.push_back(to_vec<D>(body.velocity));
+        particles.velocity.push_back(to_vec<D>(body.velocity.at(model.position[p])));
         particles.mass.push_back(scene.materials[body.material].density * volume);
         particles.volume.push_back(volume);
         particles.half_size.push_back(half_size);
@@ -24,5 +38,6 @@ Particles<D> make_particles(const Model& model, const Scene& scene) {
 }
 
 template Particles<2> make_particles<2>(const Model&, const Scene&);
+template Particles<3> make_particles<3>(const Model&, const Scene&);
 
 } // namespace abut

@@ -12,7 +12,7 @@ template <int D>
 using Stress = Eigen::Matrix<double, D == 2 ? 4 : 6, 1>;
 
 /// The material points, one array a field, kept in the order of blocks, bodies and cells (see sort.h).
-/// Plane analyses hold the in-plane part of the deformation gradient.
+/// Plane analyses hold the in-plane part of the deformation gradient; axisymmetric particles are full rings.
 template <int D>
 struct Particles {
     std::vector<Vec<D>> position;             ///< [m]
@@ -22,10 +22,14 @@ struct Particles {
     std::vector<double> mass;                 ///< [kg]
     std::vector<double> volume;               ///< undeformed, V0 [m^3]
     std::vector<Vec<D>> half_size;            ///< half edges of the undeformed domain [m]
+    /// Stretch across the plane (plane stress) or around the axis (axisymmetric); else empty.
+    std::vector<double> across;
     std::vector<std::int32_t> body;
     std::vector<std::int32_t> id; ///< index in the Model, which never changes
 
     std::size_t size() const { return position.size(); }
+    /// Stretch across the plane or around the axis; 1 in plane strain.
+    double across_of(std::size_t p) const { return across.empty() ? 1.0 : across[p]; }
 };
 
 /// Bytes that one particle takes in Particles<D>.

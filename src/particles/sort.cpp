@@ -54,6 +54,7 @@ Tiling<D> sort_particles(Particles<D>& particles, const Grid<D>& grid, bool fiel
     permute(particles.mass, order);
     permute(particles.volume, order);
     permute(particles.half_size, order);
+    if (!particles.across.empty()) permute(particles.across, order);
     permute(particles.body, order);
     permute(particles.id, order);
 
@@ -76,5 +77,6 @@ Tiling<D> sort_particles(Particles<D>& particles, const Grid<D>& grid, bool fiel
 }
 
 template Tiling<2> sort_particles<2>(Particles<2>&, const Grid<2>&, bool);
+template Tiling<3> sort_particles<3>(Particles<3>&, const Grid<3>&, bool);
 
 } // namespace abut

@@ -23,15 +23,30 @@ bool all_perfect(const ContactSpec& contact) {
 Effects effects_of(const Scene& scene) {
     Effects effects;
     const TransferSpec& transfer = scene.method.transfer;
-    effects.extra_orders = transfer.scheme == TransferScheme::xpic ? transfer.order - 1 : 0;
-    effects.stress_first = scene.method.stress_update == StressUpdate::usf;
-    effects.stored_stencils = with_shape(scene.method.shape, [](auto shape) { return decltype(shape)::stored; });
+    const bool filters = transfer.scheme == TransferScheme::xpic || transfer.scheme == TransferScheme::fmpm;
+    effects.extra_orders = filters ? transfer.order - 1 : 0;
+    effects.fmpm = transfer.scheme == TransferScheme::fmpm && effects.extra_orders > 0;
+    effects.periodic = transfer.every_cfl.has_value() && transfer.scheme != TransferScheme::flip;
+    const StressUpdate update = scene.method.stress_update;
+    effects.stress_last = update != StressUpdate::usf;
+    effects.stress_first = update != StressUpdate::usl && update != StressUpdate::usl_plus;
+    effects.reextrapolate = update == StressUpdate::usl_plus || update == StressUpdate::usavg_plus;
     effects.gravity = scene.gravity != Vector{};
+    effects.ring = scene.analysis == Analysis::axisymmetric;
+    effects.free_across = scene.analysis == Analysis::plane_stress;
+    effects.velocity_conditions = effects.ring;
+    for (const BoundarySpec& boundary : scene.boundaries)
+        (std::holds_alternative<TractionSpec>(boundary.condition) ? effects.tractions : effects.velocity_conditions) =
+            true;
+    // Kept also where a last extrapolation must find the stencils of the step's beginning though particles have moved.
+    effects.stored_stencils = effects.ring || effects.reextrapolate ||
+                              with_shape(scene.method.shape, [](auto shape) { return decltype(shape)::stored; });
     if (scene.contact) {
         const ContactSpec& contact = *scene.contact;
         effects.contact = true;
         effects.delta_velocity = effects.extra_orders > 0 && contact.corrections == 2;
         if (!all_perfect(contact)) {
+            effects.contact_strain = effects.fmpm;
             effects.regression = contact.normal == NormalMethod::logistic_regression;
             effects.gradients = contact.normal == NormalMethod::average_gradient;
             effects.clouds = effects.regression || contact.separation == SeparationMethod::particle_edges;

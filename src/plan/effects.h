@@ -11,11 +11,23 @@ struct Effects {
     bool regression = false;     ///< normals by regression
     bool gradients = false;      ///< volume gradients at contact nodes: gradient normals
     bool positions = false;      ///< extrapolated positions at contact nodes: grid separations
-    bool delta_velocity = false; ///< Δv of the first contact pass is kept: XPIC of order 2 and more
-    int extra_orders = 0;        ///< gather-scatter sweeps of XPIC: order - 1
-    bool stress_first = false;   ///< USF: stress is updated between the extrapolations
+    bool delta_velocity = false; ///< Δv of the first contact pass is kept: XPIC and FMPM of order 2 and more
+    int extra_orders = 0;        ///< gather-scatter sweeps of XPIC and FMPM: order - 1
+    bool fmpm = false;           ///< grid velocities by the full mass matrix, order 2 and more
+    bool contact_strain = false; ///< FMPM with contact: particles deform by other velocities than they move by
+    bool periodic = false;       ///< FLIP steps between those of the scheme
+    bool stress_first = false;   ///< USF, USAVG: stress is updated between the extrapolations
+    bool stress_last = false;    ///< USL, USAVG: stress is updated at the end of the step
+    bool reextrapolate = false;  ///< USL+, USAVG+: the last stress update uses velocities extrapolated anew
     bool gravity = false;
-    bool stored_stencils = false; ///< the shape is dear to expand: stencils are kept for the sweeps of a step
+    bool velocity_conditions = false; ///< walls, velocities of nodes, the axis of axisymmetric scenes
+    bool tractions = false;
+    bool ring = false;            ///< axisymmetric: hoop terms
+    bool free_across = false;     ///< plane stress: the stretch across the plane is solved for
+    bool stored_stencils = false; ///< stencils are kept for the sweeps of a step
+
+    /// Share of a step's strain that each of its stress updates takes.
+    double stress_share() const { return stress_first && stress_last ? 0.5 : 1.0; }
 };
 
 Effects effects_of(const Scene& scene);

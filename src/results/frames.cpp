@@ -79,7 +79,8 @@ PointFrame particle_frame(const State<D>& state) {
     std::vector<std::int32_t> body, id;
     for (const std::size_t p : by_id) {
         const Mat<D>& f = particles.deformation_gradient[p];
-        const double J = f.determinant();
+        const double across = particles.across_of(p);
+        const double J = f.determinant() * across;
         const std::array<double, 6> s = cauchy<D>(particles.stress[p], J);
         append(frame.points, to_array<D>(particles.position[p]));
         append(velocity, to_array<D>(particles.velocity[p]));
@@ -89,7 +90,7 @@ PointFrame particle_frame(const State<D>& state) {
         pressure.push_back(-(s[0] + s[1] + s[2]) / 3);
         mises.push_back(von_mises(s));
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) F.push_back(i < D && j < D ? f(i, j) : (i == j ? 1.0 : 0.0));
+            for (int j = 0; j < 3; ++j) F.push_back(i < D && j < D ? f(i, j) : (i == j ? across : 0.0));
         mass.push_back(particles.mass[p]);
         volume.push_back(J * particles.volume[p]);
         body.push_back(particles.body[p]);
@@ -205,8 +206,12 @@ PointFrame contact_frame(State<D>& state) {
 }
 
 template void look<2>(State<2>&);
+template void look<3>(State<3>&);
 template PointFrame particle_frame<2>(const State<2>&);
+template PointFrame particle_frame<3>(const State<3>&);
 template GridFrame grid_frame<2>(const State<2>&);
+template GridFrame grid_frame<3>(const State<3>&);
 template PointFrame contact_frame<2>(State<2>&);
+template PointFrame contact_frame<3>(State<3>&);
 
 } // namespace abut

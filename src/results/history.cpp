@@ -47,7 +47,7 @@ Totals particle_totals(const State<D>& state, std::int32_t p, const Law& law) {
     const Particles<D>& particles = state.particles;
     const Vector x = to_array<D>(particles.position[p]);
     const Vector v = to_array<D>(particles.velocity[p]);
-    const Strain<D> strain = strain_of<D>(particles.deformation_gradient[p]);
+    const Strain<D> strain = strain_of<D>(particles.deformation_gradient[p], particles.across_of(p));
     Totals t;
     t.mass = particles.mass[p];
     t.volume = strain.J * particles.volume[p];
@@ -87,8 +87,8 @@ std::vector<std::string> history_columns(const State<D>& state) {
                                         "external_work",  "contact_work",   "momentum_x",
                                         "momentum_y",     "momentum_z",     "mean_stress_xx",
                                         "mean_stress_yy", "mean_stress_zz", "mean_stress_xy"};
-    for (const Wall<D>& wall : state.walls)
-        for (const char* axis : {"_x", "_y", "_z"}) columns.push_back("force_" + wall.name + axis);
+    for (const Boundary& boundary : state.boundaries)
+        for (const char* axis : {"_x", "_y", "_z"}) columns.push_back("force_" + boundary.name + axis);
     return columns;
 }
 
@@ -106,9 +106,9 @@ std::vector<double> history_row(State<D>& state, const Totals& all, double inter
                                all.momentum[1],
                                all.momentum[2]};
     for (const double stress : all.mean_stress()) row.push_back(stress);
-    for (Wall<D>& wall : state.walls) {
-        for (int a = 0; a < 3; ++a) row.push_back(a == wall.spec.axis && interval > 0 ? wall.impulse / interval : 0);
-        wall.impulse = 0;
+    for (Boundary& boundary : state.boundaries) {
+        for (const double impulse : boundary.impulse) row.push_back(interval > 0 ? impulse / interval : 0);
+        boundary.impulse = {};
     }
     return row;
 }
@@ -151,7 +151,10 @@ std::vector<double> body_row(const Totals& totals) {
 }
 
 template std::vector<Totals> body_totals<2>(State<2>&);
+template std::vector<Totals> body_totals<3>(State<3>&);
 template std::vector<std::string> history_columns<2>(const State<2>&);
+template std::vector<std::string> history_columns<3>(const State<3>&);
 template std::vector<double> history_row<2>(State<2>&, const Totals&, double);
+template std::vector<double> history_row<3>(State<3>&, const Totals&, double);
 
 } // namespace abut

@@ -1,7 +1,10 @@
 #pragma once
 /// \file scene.h
 /// A scene as plain values, in SI units, after reading and before checking its meaning (see validate.h).
-/// Two-dimensional analyses use the first two components of every vector and leave the third at zero.
+/// Two-dimensional analyses use the first two components of every vector and leave the third at zero; axisymmetric
+/// ones have r for x and z for y.
+
+#include "scene/time_function.h"
 
 #include <array>
 #include <filesystem>
@@ -15,7 +18,12 @@ namespace abut {
 /// Three components, SI units; z is 0 in two-dimensional scenes.
 using Vector = std::array<double, 3>;
 
-enum class Analysis { plane_strain };
+enum class Analysis {
+    plane_strain,
+    plane_stress, ///< the stretch across the plane is such that there is no stress across it
+    axisymmetric, ///< x is the radius r, y the axis z; a body is the full ring, 2π around
+    three_d
+};
 
 // === Grid and time
 
@@ -27,43 +35,71 @@ struct GridSpec {
 
 struct TimeSpec {
     double end = 0;             ///< [s]
-    double cfl = 0.4;           ///< time step / (cell / wave speed); not used when `step` is given
+    double cfl = 0.4;           ///< time step / (cell / wave speed), cut to cfl_limit(); not used when `step` is given
     std::optional<double> step; ///< fixed time step [s]
 };
 
 // === Method
 
-enum class ShapeKind { linear, ugimp, cpdi };
-enum class TransferScheme { flip, pic, xpic };
-enum class StressUpdate { usf, usl };
+enum class ShapeKind { linear, ugimp, gimp, cpdi, b2spline, b2gimp, b2cpdi };
+enum class TransferScheme { flip, pic, xpic, fmpm };
 
-/// How pic and xpic move particles. (flip has its own second-order rule.)
+/// When stresses and strains are updated in a step (FMPM paper §2.3, task 5; notes 2.8).
+enum class StressUpdate {
+    usf,        ///< first: with the velocities at the start of the step
+    usavg,      ///< half a step first and half a step last
+    usl,        ///< last: with the velocities at the end of the step
+    usl_plus,   ///< last, with the updated particle velocities extrapolated anew
+    usavg_plus, ///< usavg with the last half as in usl_plus
+};
+
+/// How pic, xpic and fmpm move particles. (flip has its own second-order rule.) The three rules are the three PIC
+/// methods of the FMPM paper's Eq. (2).
 enum class PositionUpdate {
     /// X += S v+ Δt: with the same grid velocities that deform the particle when stress is updated last. Positions and
-    /// deformation gradients then stay together however far a body is deformed.
+    /// deformation gradients then stay together however far a body is deformed. "MPM PIC" of Eq. (2).
     end_velocity,
     /// X += [S m^-1 p + (V' − V)/2] Δt, as published for XPIC (FMPM paper §2.3). At walls, contacts and free edges the
-    /// velocities at the start of a step are those of the last end smoothed once more by the extrapolation, so
-    /// particles
+    /// velocities at the start of a step are those of the last end smoothed once more by the extrapolation, so particles
     /// move by less than they deform: after large compression their domains leave cracks and overlaps.
-    start_velocity
+    start_velocity,
+    /// X += ½ (V + V') Δt, as published for FMPM (Table 1, task 4): the particle's own velocities. Only where the grid
+    /// has filtered them (fmpm, pic).
+    mean_velocity
 };
 
 struct TransferSpec {
     TransferScheme scheme = TransferScheme::flip;
-    int order = 2; ///< k of xpic; flip and pic have none
-    PositionUpdate position = PositionUpdate::end_velocity;
+    int order = 2;                          ///< k of xpic and fmpm; flip and pic have none
+    std::optional<PositionUpdate> position; ///< not given: position_update()
+    /// Time between two steps with pic, xpic or fmpm, in the unit of TimeSpec::cfl; those between are flip steps. Not
+    /// given: every step.
+    std::optional<double> every_cfl;
+};
+
+/// The rule by which particles move: as given, else mean_velocity for fmpm and end_velocity for pic and xpic.
+inline PositionUpdate position_update(const TransferSpec& transfer) {
+    return transfer.position.value_or(transfer.scheme == TransferScheme::fmpm ? PositionUpdate::mean_velocity
+                                                                              : PositionUpdate::end_velocity);
+}
+
+/// Where velocity conditions on nodes enter the full mass matrix calculation of fmpm (FMPM paper §2.4).
+enum class VelocityConditions {
+    combined, ///< before it, so that neighbours feel them, and after it, so that they hold
+    velocity, ///< after it only
+    lumped    ///< before it only
 };
 
 struct MethodSpec {
     ShapeKind shape = ShapeKind::cpdi;
     TransferSpec transfer;
     StressUpdate stress_update = StressUpdate::usl;
+    VelocityConditions velocity_conditions = VelocityConditions::combined; ///< of fmpm
 };
 
 // === Materials and bodies
 
-enum class MaterialModel { neo_hookean, neo_hookean_isochoric };
+enum class MaterialModel { neo_hookean, neo_hookean_isochoric, linear_elastic };
 
 /// A constitutive law with its constants. The reader converts any pair of elastic constants to (K, G).
 struct MaterialSpec {
@@ -87,12 +123,32 @@ struct Ellipse {
     double angle = 0;                  ///< of the first semi-axis, counter-clockwise from x [rad]
 };
 
+struct Ball {
+    Vector center{};   ///< [m]
+    double radius = 0; ///< [m]
+};
+using ShapeSpec = std::variant<Box, Disk, Ellipse, Ball>;
+
+/// Velocities v0 + L (x - x0) of a body's particles at time 0.
+struct InitialVelocity {
+    Vector value{};                   ///< v0 [m/s]
+    std::array<Vector, 3> gradient{}; ///< L, row by row [1/s]
+    Vector center{};                  ///< x0, used by the gradient [m]
+    Vector at(const Vector& x) const {
+        Vector v = value;
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j) v[i] += gradient[i][j] * (x[j] - center[j]);
+        return v;
+    }
+    bool operator==(const InitialVelocity&) const = default;
+};
+
 /// Particles that share one velocity field.
 struct BodySpec {
     std::string name;
     std::string material;
-    std::variant<Box, Disk, Ellipse> shape;
-    Vector velocity{};          ///< initial, uniform [m/s]
+    ShapeSpec shape;
+    InitialVelocity velocity;
     int particles_per_cell = 2; ///< per axis
 };
 
@@ -163,18 +219,37 @@ enum class Side { lower, upper };
 /// A virtual moving wall across one axis (FMPM paper §2.5). It sets the normal velocity of the nodes at most `depth`
 /// cells inside it and of every node outside it that has mass.
 struct WallSpec {
-    int axis = 0;            ///< 0 x, 1 y, 2 z
-    Side side = Side::lower; ///< lower: material lies above the wall
-    double position = 0;     ///< at time 0 [m]
-    double velocity = 0;     ///< along the axis [m/s]
-    double depth = 1;        ///< [cells]
-    double gradient = 0;     ///< of the normal velocity along the axis at the wall [1/s]
-    bool grip = true;        ///< false: material may leave the wall
+    int axis = 0;                    ///< 0 x, 1 y, 2 z
+    Side side = Side::lower;         ///< lower: material lies above the wall
+    double position = 0;             ///< at time 0 [m]
+    TimeFunction velocity;           ///< along the axis [m/s]
+    double depth = 1;                ///< [cells]
+    TimeFunction gradient;           ///< of the normal velocity along the axis at the wall [1/s]
+    bool estimated_gradient = false; ///< instead: fitted to the extrapolated velocities (FMPM paper Eq. 4)
+    bool grip = true;                ///< false: material may leave the wall
+};
+
+/// Sets one component of the velocity of all nodes in a box that stays where it is (notes 2.3.2).
+struct VelocitySpec {
+    Vector lower{}, upper{}; ///< both ends included [m]
+    Vector direction{};      ///< of the component, of any length but 0
+    TimeFunction velocity;   ///< along `direction` [m/s]
+};
+
+/// Traction on the outer faces of a body's particles (FMPM paper §2.4). Faces are chosen in the undeformed body and
+/// deform with their particles.
+struct TractionSpec {
+    std::string body;
+    int axis = 0;                           ///< faces across this axis of the undeformed body
+    Side side = Side::lower;                ///< ... at the lower or the upper end of their particles
+    std::optional<Box> within;              ///< only of particles whose centres lie in this box at time 0
+    std::array<TimeFunction, 3> traction{}; ///< force per deformed area, fixed in direction [Pa]
+    TimeFunction pressure;                  ///< against the outward normal of the deformed face [Pa]
 };
 
 struct BoundarySpec {
     std::string name;
-    WallSpec wall;
+    std::variant<WallSpec, VelocitySpec, TractionSpec> condition;
 };
 
 struct OutputSpec {
@@ -189,7 +264,7 @@ struct OutputSpec {
 struct Scene {
     std::string title;
     Analysis analysis = Analysis::plane_strain;
-    double thickness = 1; ///< plane analyses [m]
+    double thickness = 1; ///< plane strain and plane stress [m]
     GridSpec grid;
     TimeSpec time;
     MethodSpec method;
@@ -203,8 +278,8 @@ struct Scene {
 };
 
 /// Number of space dimensions of an analysis.
-constexpr int dimension(Analysis) {
-    return 2;
+constexpr int dimension(Analysis analysis) {
+    return analysis == Analysis::three_d ? 3 : 2;
 }
 
 } // namespace abut

@@ -115,6 +115,16 @@ void check_pair_laws(const Scene& scene, Problems& problems) {
     }
 }
 
+void check_tractions(const Scene& scene, Problems& problems) {
+    const std::vector<std::string> known = body_names(scene);
+    if (is_one_of("", known)) return;
+    for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {
+        const auto* traction = std::get_if<TractionSpec>(&scene.boundaries[i].condition);
+        if (traction && !traction->body.empty() && !is_one_of(traction->body, known))
+            problems.push_back({entry("/boundaries", i) + "/traction/body", unknown("body", traction->body, known)});
+    }
+}
+
 } // namespace
 
 std::vector<Problem> validate_names(const Scene& scene) {
@@ -125,6 +135,7 @@ std::vector<Problem> validate_names(const Scene& scene) {
     check_legends(scene, problems);
     check_pair_laws(scene, problems);
     check_unique(scene.boundaries, "/boundaries", problems);
+    check_tractions(scene, problems);
     return problems;
 }
 
@@ -133,16 +144,6 @@ std::vector<Problem> validate(const Scene& scene) {
     const Problems names = validate_names(scene);
     problems.insert(problems.end(), names.begin(), names.end());
     return problems;
-}
-
-std::vector<Problem> advice(const Scene& scene) {
-    std::vector<Problem> advice;
-    if (scene.method.shape == ShapeKind::linear && scene.method.stress_update == StressUpdate::usl)
-        advice.push_back({"/method/shape",
-                          "linear shape functions with stress_update \"usl\" are unstable where particles "
-                          "cross cells: nodes come to see next to no mass; use \"usf\", or \"ugimp\" "
-                          "or \"cpdi\""});
-    return advice;
 }
 
 } // namespace abut

@@ -1,8 +1,7 @@
 #include "scene/suggest.h"
 #include "scene/validate.h"
+#include "scene/validate_parts.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -12,51 +11,8 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
-constexpr std::array axis_names{"x", "y", "z"};
-/// Part of a length by which rounding may put something over an edge it lies on.
-constexpr double rounding = 1e-9;
-
-std::string text(double value, const char* unit) {
-    std::array<char, 64> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.6g %s", value, unit);
-    return buffer.data();
-}
-
 std::string metres(double value) {
-    return text(value, "m");
-}
-
-/// Adds a problem unless `good`; comparisons with NaN are false and so never good.
-void demand(bool good, const std::string& pointer, const std::string& message, Problems& problems) {
-    if (!good) problems.push_back({pointer, message});
-}
-
-std::size_t axes(const Scene& scene) {
-    return std::size_t(dimension(scene.analysis));
-}
-
-/// Adds one problem for each side of the grid's box over which [lower, upper] reaches.
-void check_inside(const Vector& lower, const Vector& upper, const Scene& scene, const std::string& pointer,
-                  Problems& problems) {
-    const GridSpec& grid = scene.grid;
-    for (std::size_t axis = 0; axis < axes(scene); ++axis) {
-        const double tolerance = rounding * (grid.upper[axis] - grid.lower[axis]);
-        const std::string name = axis_names[axis];
-        demand(lower[axis] >= grid.lower[axis] - tolerance, pointer,
-               "reaches out of the grid: down to " + name + " = " + metres(lower[axis]) + ", the grid begins at " +
-                   metres(grid.lower[axis]),
-               problems);
-        demand(upper[axis] <= grid.upper[axis] + tolerance, pointer,
-               "reaches out of the grid: up to " + name + " = " + metres(upper[axis]) + ", the grid ends at " +
-                   metres(grid.upper[axis]),
-               problems);
-    }
-}
-
-void check_larger_than_cell(double extent, double cell, const std::string& what, const std::string& pointer,
-                            Problems& problems) {
-    demand(extent >= cell * (1 - rounding), pointer,
-           "cell larger than the body: " + what + " is " + metres(extent) + ", a cell " + metres(cell), problems);
+    return with_unit(value, "m");
 }
 
 void check_grid(const Scene& scene, Problems& problems) {
@@ -70,7 +26,7 @@ void check_grid(const Scene& scene, Problems& problems) {
                problems);
         demand(grid.cell[axis] > 0, "/grid/cell", "must be greater than 0" + along, problems);
         if (extent > 0) {
-            demand(!(grid.cell[axis] > extent * (1 + rounding)), "/grid/cell",
+            demand(!(grid.cell[axis] > extent * (1 + place_rounding)), "/grid/cell",
                    "larger than the grid" + along + ": a cell is " + metres(grid.cell[axis]) + ", the grid " +
                        metres(extent),
                    problems);
@@ -87,103 +43,53 @@ void check_time(const TimeSpec& time, Problems& problems) {
     }
 }
 
+/// In axisymmetric scenes x is the radius: nothing lies below 0, and no force is the same all around but along the
+/// axis.
+void check_symmetry(const Scene& scene, Problems& problems) {
+    if (scene.analysis != Analysis::axisymmetric) return;
+    const double lower = scene.grid.lower[0];
+    const double cell = scene.grid.cell[0];
+    demand(lower >= 0, "/grid/lower", "r must not be negative: x is the radius in an axisymmetric scene", problems);
+    demand(!(lower > 0 && lower < 2 * cell * (1 - place_rounding)), "/grid/lower",
+           "nodes across the axis would be needed: r must begin at 0 or at least 2 cells (" + metres(2 * cell) +
+               ") from the axis, not at " + metres(lower),
+           problems);
+    demand(scene.gravity[0] == 0, "/gravity/0", "gravity along x, the radius, is not symmetric about the axis",
+           problems);
+}
+
+void check_method(const Scene& scene, Problems& problems) {
+    const TransferSpec& transfer = scene.method.transfer;
+    demand(transfer.order >= 1, "/method/transfer/order", "must be at least 1", problems);
+    if (transfer.every_cfl) {
+        const std::string pointer = "/method/transfer/every_cfl";
+        demand(*transfer.every_cfl > 0, pointer, "must be greater than 0", problems);
+        demand(scene.time.step || !(*transfer.every_cfl < scene.time.cfl), pointer,
+               "less than the time step, \"cfl\" " + with_unit(scene.time.cfl, "") +
+                   ": every step would be one with this scheme; leave this key out for that",
+               problems);
+    }
+    demand(!(transfer.scheme == TransferScheme::fmpm && transfer.position == PositionUpdate::start_velocity),
+           "/method/transfer/position", R"("start-velocity" does not go with "fmpm"; use "mean-velocity")", problems);
+    demand(!(transfer.scheme == TransferScheme::xpic && transfer.position == PositionUpdate::mean_velocity),
+           "/method/transfer/position",
+           R"("mean-velocity" does not go with "xpic", which leaves noise in the particles' own velocities; use )"
+           R"("end-velocity")",
+           problems);
+    demand(transfer.scheme == TransferScheme::fmpm || scene.method.velocity_conditions == VelocityConditions::combined,
+           "/method/velocity_conditions", "is a choice of the transfer scheme \"fmpm\" only", problems);
+}
+
 void check_materials(const Scene& scene, Problems& problems) {
     for (const MaterialSpec& material : scene.materials) {
         const std::string pointer = "/materials/" + pointer_token(material.name);
         demand(material.density > 0, pointer + "/density", "must be greater than 0 kg/m^3", problems);
         demand(material.bulk_modulus > 0, pointer, "the bulk modulus must be greater than 0 Pa", problems);
         demand(material.shear_modulus >= 0, pointer, "the shear modulus must not be negative", problems);
-    }
-}
-
-/// The checks of one body; one overload for each shape.
-struct BodyCheck {
-    const Scene& scene;
-    const std::string pointer;
-    Problems& problems;
-
-    void operator()(const Box& box) const {
-        for (std::size_t axis = 0; axis < axes(scene); ++axis) {
-            const double edge = box.upper[axis] - box.lower[axis];
-            const std::string name = axis_names[axis];
-            demand(edge > 0, pointer + "/box/upper", "must lie above \"lower\" along " + name, problems);
-            if (edge > 0)
-                check_larger_than_cell(edge, scene.grid.cell[axis], "its edge along " + name, pointer + "/box",
-                                       problems);
-        }
-        check_inside(box.lower, box.upper, scene, pointer + "/box", problems);
-    }
-
-    void operator()(const Disk& disk) const {
-        check_round(disk.center, {disk.radius, disk.radius}, 0, "/disk", "radius", "its diameter");
-    }
-
-    void operator()(const Ellipse& ellipse) const {
-        check_round(ellipse.center, ellipse.semi_axes, ellipse.angle, "/ellipse", "semi_axes", "its smaller diameter");
-    }
-
-    void check_round(const Vector& center, const std::array<double, 2>& semi_axes, double angle,
-                     const std::string& shape, const std::string& size_key, const std::string& diameter) const {
-        const auto [a, b] = semi_axes;
-        if (!(a > 0 && b > 0)) {
-            problems.push_back({pointer + shape + "/" + size_key, "must be greater than 0 m"});
-            return;
-        }
-        const double cell = std::max(scene.grid.cell[0], scene.grid.cell[1]);
-        check_larger_than_cell(2 * std::min(a, b), cell, diameter, pointer + shape, problems);
-        // Extents of x = c + a cosφ e₁ + b sinφ e₂: the largest x is √((a e₁x)² + (b e₂x)²) from the centre.
-        const double c = std::cos(angle);
-        const double s = std::sin(angle);
-        const Vector half{std::hypot(a * c, b * s), std::hypot(a * s, b * c), 0};
-        Vector lower = center;
-        Vector upper = center;
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            lower[axis] -= half[axis];
-            upper[axis] += half[axis];
-        }
-        check_inside(lower, upper, scene, pointer + shape, problems);
-    }
-};
-
-void check_images(const Scene& scene, Problems& problems) {
-    for (std::size_t i = 0; i < scene.images.size(); ++i) {
-        const ImageSpec& image = scene.images[i];
-        const std::string pointer = "/images/" + std::to_string(i);
-        demand(image.particles_per_cell >= 1, pointer + "/particles_per_cell", "must be at least 1", problems);
-        if (image.size[0] > 0 && image.size[1] > 0) {
-            const Vector upper{image.lower[0] + image.size[0], image.lower[1] + image.size[1], image.lower[2]};
-            check_inside(image.lower, upper, scene, pointer, problems);
-        } else {
-            demand(image.pixel[0] > 0 && image.pixel[1] > 0, pointer, "needs \"pixel\" or \"size\", greater than 0 m",
-                   problems);
-        }
-    }
-}
-
-void check_walls(const Scene& scene, Problems& problems) {
-    for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {
-        const WallSpec& wall = scene.boundaries[i].wall;
-        const std::string pointer = "/boundaries/" + std::to_string(i) + "/wall";
-        if (wall.axis < 0 || std::size_t(wall.axis) >= axes(scene)) {
-            problems.push_back({pointer + "/axis", "plane scenes have the axes x and y"});
-            continue;
-        }
-        const double lower = scene.grid.lower[std::size_t(wall.axis)];
-        const double upper = scene.grid.upper[std::size_t(wall.axis)];
-        const double tolerance = rounding * (upper - lower);
-        const auto inside = [&](double position) {
-            return position >= lower - tolerance && position <= upper + tolerance;
-        };
-        const std::string box = "the grid reaches from " + metres(lower) + " to " + metres(upper);
-        const double end = wall.position + wall.velocity * scene.time.end;
-        if (!inside(wall.position)) {
-            problems.push_back({pointer + "/position", "outside the grid at " + metres(wall.position) + "; " + box});
-        } else if (!inside(end)) {
-            const double leaves = ((wall.velocity < 0 ? lower : upper) - wall.position) / wall.velocity;
-            problems.push_back({pointer + "/velocity", "the wall moves out of the grid at t = " + text(leaves, "s") +
-                                                           ", before the end; " + box});
-        }
-        demand(wall.depth >= 0, pointer + "/depth", "must not be negative", problems);
+        demand(scene.analysis != Analysis::plane_stress || material.shear_modulus != 0, pointer,
+               "plane stress needs a shear modulus greater than 0 Pa: a law without shear stiffness has no stress in "
+               "the plane when there is none across it",
+               problems);
     }
 }
 
@@ -198,24 +104,27 @@ void check_contact(const ContactSpec& contact, Problems& problems) {
 
 } // namespace
 
+std::string with_unit(double value, const char* unit) {
+    std::array<char, 64> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), *unit ? "%.6g %s" : "%.6g", value, unit);
+    return buffer.data();
+}
+
+void demand(bool good, const std::string& pointer, const std::string& message, Problems& problems) {
+    if (!good) problems.push_back({pointer, message});
+}
+
 std::vector<Problem> validate_numbers(const Scene& scene) {
     Problems problems;
     demand(scene.thickness > 0, "/thickness", "must be greater than 0 m", problems);
     check_grid(scene, problems);
+    check_symmetry(scene, problems);
     check_time(scene.time, problems);
-    demand(scene.method.transfer.order >= 1, "/method/transfer/order", "must be at least 1", problems);
+    check_method(scene, problems);
     check_materials(scene, problems);
-    if (scene.bodies.empty() && scene.images.empty())
-        problems.push_back({"/bodies", "the scene is empty; it needs an entry in \"bodies\" or \"images\""});
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const std::string pointer = "/bodies/" + std::to_string(i);
-        std::visit(BodyCheck{scene, pointer, problems}, scene.bodies[i].shape);
-        demand(scene.bodies[i].particles_per_cell >= 1, pointer + "/particles_per_cell", "must be at least 1",
-               problems);
-    }
-    check_images(scene, problems);
+    validate_matter(scene, problems);
     if (scene.contact) check_contact(*scene.contact, problems);
-    check_walls(scene, problems);
+    validate_boundaries(scene, problems);
     demand(scene.output.every >= 0, "/output/every", "must not be negative", problems);
     if (scene.output.history_every)
         demand(*scene.output.history_every > 0, "/output/history_every", "must be greater than 0 s", problems);

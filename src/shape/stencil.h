@@ -7,13 +7,31 @@
 namespace abut {
 
 /// The nodes that one particle sees, with their shape functions S and gradient shape functions G [1/m]; nodes as
-/// places in the window of the particle's tile.
-template <int D, int MaxNodes>
+/// places in the window of the particle's tile. For shapes that are expanded on the spot, always N nodes.
+template <int D, int N>
 struct Stencil {
-    int count = MaxNodes;
-    int node[MaxNodes];
-    double S[MaxNodes];
-    double G[D][MaxNodes];
+    int node[N];
+    double S[N];
+    double G[D][N];
+};
+
+/// Where a shape writes the stencil of one particle in the store: as many entries as its count() says. T is the hoop
+/// shape function of axisymmetric analyses, N_i / r averaged over the particle [1/m]; else null.
+template <int D>
+struct StencilEntries {
+    std::int32_t* node;
+    double* S;
+    double* G[D];
+    double* T;
+};
+
+/// How a shape integrates over the face of a particle's domain along each edge of the face: with the same points as
+/// over the domain, so that a uniform stress and the traction that goes with it are in equilibrium on the grid, also at
+/// the corners of a body.
+enum class FaceRule {
+    center,  ///< as a particle without extent
+    corners, ///< linear between them, as CPDI
+    simpson  ///< exact for linear and quadratic grid functions, as GIMP
 };
 
 /// What a shape reads of one particle.
@@ -29,46 +47,23 @@ inline Domain<D> domain_of(const Particles<D>& particles, std::size_t p) {
     return {particles.position[p], particles.deformation_gradient[p], particles.half_size[p]};
 }
 
-/// Shape functions and derivatives along one axis for K neighbouring nodes from `base` on.
-template <int K>
-struct AxisFactors {
-    int base;
-    double w[K];
-    double dw[K]; ///< [1/m]
-};
-
-/// Tensor product of factors along the axes.
-template <int D, int K, int N>
-inline void expand_product(const AxisFactors<K> (&f)[D], const Window<D>& window, Stencil<D, N>& s) {
-    if constexpr (D == 2) {
-        const int row = window.extent(0);
-        const int first = (f[1].base - window.lower[1]) * row + f[0].base - window.lower[0];
-        for (int j = 0, k = 0; j < K; ++j)
-            for (int i = 0; i < K; ++i, ++k) {
-                s.node[k] = first + j * row + i;
-                s.S[k] = f[0].w[i] * f[1].w[j];
-                s.G[0][k] = f[0].dw[i] * f[1].w[j];
-                s.G[1][k] = f[0].w[i] * f[1].dw[j];
-            }
-    } else {
-        const int row = window.extent(0);
-        const int plane = row * window.extent(1);
-        const int first =
-            (f[2].base - window.lower[2]) * plane + (f[1].base - window.lower[1]) * row + f[0].base - window.lower[0];
-        for (int l = 0, k = 0; l < K; ++l)
-            for (int j = 0; j < K; ++j)
-                for (int i = 0; i < K; ++i, ++k) {
-                    s.node[k] = first + l * plane + j * row + i;
-                    s.S[k] = f[0].w[i] * f[1].w[j] * f[2].w[l];
-                    s.G[0][k] = f[0].dw[i] * f[1].w[j] * f[2].w[l];
-                    s.G[1][k] = f[0].w[i] * f[1].dw[j] * f[2].w[l];
-                    s.G[2][k] = f[0].w[i] * f[1].w[j] * f[2].dw[l];
-                }
-    }
-}
-
 constexpr int power(int base, int exponent) {
     return exponent == 0 ? 1 : base * power(base, exponent - 1);
+}
+
+/// x, rounded to a double here. Compilers contract a b − c to one operation with a single rounding or don't, as they
+/// inline, and the node where a stencil begins must be the same wherever it is found: else one of a particle on a grid
+/// line lies outside the window.
+[[gnu::always_inline]] inline double settled(double x) {
+#if defined(__x86_64__)
+    asm("" : "+x"(x));
+#elif defined(__aarch64__)
+    asm("" : "+w"(x));
+#else
+    volatile double rounded = x;
+    x = rounded;
+#endif
+    return x;
 }
 
 /// Largest integer not above x; as fast as a conversion.

@@ -1,22 +1,23 @@
 #pragma once
-#include "shape/stencil.h"
+#include "shape/box_shape.h"
 
 namespace abut {
 
 /// Undeformed GIMP: linear grid functions averaged over the *initial* particle domain, moved to the particle's present
 /// position (contact paper Eq. 2; FMPM paper §2.1). The domain may be at most one cell wide.
-struct UgimpShape {
+struct UgimpShape : BoxShape<LinearFunction, InitialBox> {
     static constexpr bool stored = false;
     template <int D>
     static constexpr int max_nodes = power(3, D);
+    static constexpr int axis_nodes = 3;
 
     /// With a, b the ends of the domain in cells from the base node: S0 is the mean of 1-t over the part left of node
     /// 1, S2 the mean of t-1 over the part right of it, S1 the rest.
     template <int D>
     static AxisFactors<3> factors(const Grid<D>& grid, const Domain<D>& p, int axis) {
         const double h = grid.inverse_cell[axis];
-        const double x = (p.position[axis] - grid.origin[axis]) * h;
-        const double r = p.half_size[axis] * h;
+        const double x = settled((p.position[axis] - grid.origin[axis]) * h);
+        const double r = settled(p.half_size[axis] * h);
         const int base = floor_int(x - r);
         const double a = x - r - base;
         const double b = a + 2 * r;
@@ -36,17 +37,13 @@ struct UgimpShape {
         Window<D> w;
         for (int a = 0; a < D; ++a) {
             const double h = grid.inverse_cell[a];
-            w.lower[a] = floor_int((p.position[a] - grid.origin[a]) * h - p.half_size[a] * h);
-            w.upper[a] = w.lower[a] + 2;
+            const double x = settled((p.position[a] - grid.origin[a]) * h);
+            const double r = settled(p.half_size[a] * h);
+            w.lower[a] = floor_int(x - r);
+            // Round-off may give a domain of one cell a fourth node.
+            w.upper[a] = std::max(w.lower[a] + 2, floor_int(x + r) + 1);
         }
         return w;
-    }
-
-    template <int D, int N>
-    static void expand(const Grid<D>& grid, const Domain<D>& p, const Window<D>& window, Stencil<D, N>& s) {
-        AxisFactors<3> f[D];
-        for (int a = 0; a < D; ++a) f[a] = factors(grid, p, a);
-        expand_product<D, 3>(f, window, s);
     }
 };
 

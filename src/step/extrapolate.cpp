@@ -35,22 +35,27 @@ void extrapolate(State<D>& state) {
     Pack* const momentum = state.nodes.momentum.data();
     Pack* const force = state.nodes.force.data();
     const Particles<D>& particles = state.particles;
-    with_shape(state.scene.method.shape, [&](auto shape) {
-        using Shape = decltype(shape);
+    with_stencils(state, [&](auto source) {
+        using Source = decltype(source);
         for_each_tile_by_colour(state.tiling, [&](const Tile<D>& tile) {
-            auto stencils = state.template stencils<Shape>(tile);
+            auto stencils = state.template stencils<Source>(tile);
             for (std::int32_t p = tile.first; p < tile.last; ++p) {
                 const StencilView<D> s = stencils.of(p);
                 Pack P{};
                 Pack column[D];
+                [[maybe_unused]] Pack hoop{};
                 if constexpr (Momenta) P = particles.mass[p] * pack<D>(1, particles.velocity[p]);
-                if constexpr (Forces) stress_columns(particles, p, column);
+                if constexpr (Forces) {
+                    stress_columns(particles, p, column);
+                    if constexpr (Source::ring) hoop[1] = -particles.volume[p] * particles.stress[p][2];
+                }
                 for (int k = 0; k < s.count; ++k) {
                     const std::int32_t slot = s.slot[k];
                     if constexpr (Momenta) momentum[slot] += s.S[k] * P;
                     if constexpr (Forces) {
                         Pack f = s.G[0][k] * column[0];
                         for (int a = 1; a < D; ++a) f += s.G[a][k] * column[a];
+                        if constexpr (Source::ring) f += s.T[k] * hoop;
                         force[slot] += f;
                     }
                 }
@@ -77,7 +82,10 @@ void extrapolate_momenta_and_forces(State<D>& state) {
 }
 
 template void extrapolate_momenta<2>(State<2>&);
+template void extrapolate_momenta<3>(State<3>&);
 template void extrapolate_forces<2>(State<2>&);
+template void extrapolate_forces<3>(State<3>&);
 template void extrapolate_momenta_and_forces<2>(State<2>&);
+template void extrapolate_momenta_and_forces<3>(State<3>&);
 
 } // namespace abut

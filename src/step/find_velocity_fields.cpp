@@ -8,6 +8,36 @@ namespace abut {
 
 namespace {
 
+template <class Shape, int D>
+ShapedFace<D> face_of(const State<D>& state, const TractionFace& face) {
+    ShapedFace<D> result;
+    const bool ring = state.effects.ring;
+    result.deformed =
+        deformed_face(state.particles, face.particle, face.axis, face.outward, ring, state.scene.thickness);
+    if constexpr (Shape::face_rule == FaceRule::simpson)
+        fit_to_box<D>(result.deformed, state.particles.position[face.particle],
+                      Shape::box(domain_of(state.particles, face.particle)));
+    result.count = face_points(result.deformed, Shape::face_rule, ring, result.points);
+    return result;
+}
+
+/// Finds the faces with tractions, which may see nodes that their particles don't.
+template <int D>
+void include_traction_faces(State<D>& state) {
+    if (state.traction_faces.empty()) return;
+    state.shaped_faces.clear();
+    with_shape(state.scene.method.shape, [&](auto shape) {
+        using Shape = decltype(shape);
+        for (const TractionFace& face : state.traction_faces) {
+            const ShapedFace<D> shaped = face_of<Shape>(state, face);
+            for (int q = 0; q < shaped.count; ++q)
+                state.tiling.tiles[face.tile].window.include(
+                    point_window<typename Shape::GridFunction>(state.grid, shaped.points[q].position));
+            state.shaped_faces.push_back(shaped);
+        }
+    });
+}
+
 /// Finds the window of every tile. \return whether any has changed
 template <int D>
 bool find_windows(State<D>& state) {
@@ -20,9 +50,27 @@ bool find_windows(State<D>& state) {
                 tile.window.include(shape.window(state.grid, domain_of(state.particles, p)));
         });
     });
+    include_traction_faces(state);
     for (std::size_t t = 0; t < previous.size(); ++t)
         if (!(previous[t] == state.tiling.tiles[t].window)) return true;
     return false;
+}
+
+/// Where the particles with tractions are after a sort.
+template <int D>
+void find_traction_particles(State<D>& state) {
+    if (state.traction_faces.empty()) return;
+    std::vector<std::int32_t> index(state.particles.size());
+    std::vector<std::int32_t> tile_of(state.particles.size());
+    for (std::size_t t = 0; t < state.tiling.tiles.size(); ++t)
+        for (std::int32_t p = state.tiling.tiles[t].first; p < state.tiling.tiles[t].last; ++p) {
+            index[state.particles.id[p]] = p;
+            tile_of[p] = static_cast<std::int32_t>(t);
+        }
+    for (TractionFace& face : state.traction_faces) {
+        face.particle = index[face.id];
+        face.tile = tile_of[face.particle];
+    }
 }
 
 template <int D>
@@ -31,7 +79,15 @@ void check_windows(const State<D>& state) {
         for (int a = 0; a < D; ++a)
             if (tile.window.lower[a] < 0 || tile.window.upper[a] >= state.grid.blocks[a] * block_edge)
                 throw RunError(describe_failure(state, tile.first,
-                                                "the domain of a particle near this one reaches out of the grid"));
+                                                "the domain of a particle near this one reaches out of the grid; a "
+                                                "larger grid may help, or a smaller time step if the "
+                                                "run has diverged"));
+    for (const Tile<D>& tile : state.tiling.tiles)
+        for (int a = 0; a < D; ++a)
+            if (tile.window.extent(a) > most_axis_nodes)
+                throw RunError(describe_failure(state, tile.first,
+                                                "a particle near this one is stretched over dozens "
+                                                "of cells; a smaller time step may help"));
 }
 
 } // namespace
@@ -43,6 +99,7 @@ void find_velocity_fields(State<D>& state) {
     if (tiling.tiles.empty() || tiling.needed_stride(state.grid) > tiling.stride) {
         // Particles have drifted so far that blocks of one colour would share nodes.
         tiling = sort_particles(state.particles, state.grid, state.effects.contact);
+        find_traction_particles(state);
         find_windows(state);
         check_windows(state);
         tiling.make_colours(state.grid, tiling.needed_stride(state.grid));
@@ -56,36 +113,45 @@ void find_velocity_fields(State<D>& state) {
 template <int D>
 void store_stencils(State<D>& state) {
     StencilStore<D>& store = state.stencil_store;
+    const bool ring = state.effects.ring;
     with_shape(state.scene.method.shape, [&](auto shape) {
         using Shape = decltype(shape);
-        constexpr int most = Shape::template max_nodes<D>;
         store.first.assign(state.particles.size() + 1, 0);
         for_each_tile(state.tiling, [&](const Tile<D>& tile) {
             for (std::int32_t p = tile.first; p < tile.last; ++p)
-                store.first[p + 1] = std::min(most, Shape::window(state.grid, domain_of(state.particles, p)).size());
+                store.first[p + 1] = Shape::count(state.grid, domain_of(state.particles, p));
         });
         for (std::size_t p = 0; p < state.particles.size(); ++p) store.first[p + 1] += store.first[p];
         const std::size_t entries = store.first.back();
         store.slot.resize(entries);
         store.S.resize(entries);
         for (auto& component : store.G) component.resize(entries);
+        if (ring) store.T.resize(entries);
         for_each_tile(state.tiling, [&](const Tile<D>& tile) {
             const std::int32_t* const table = state.fields.table.data() + tile.slots;
-            Stencil<D, most> s;
             for (std::int32_t p = tile.first; p < tile.last; ++p) {
-                Shape::expand(state.grid, domain_of(state.particles, p), tile.window, s);
-                std::size_t entry = store.first[p];
-                for (int k = 0; k < s.count; ++k, ++entry) {
-                    store.slot[entry] = table[s.node[k]];
-                    store.S[entry] = s.S[k];
-                    for (int a = 0; a < D; ++a) store.G[a][entry] = s.G[a][k];
-                }
+                const std::size_t first = store.first[p];
+                StencilEntries<D> s{store.slot.data() + first, store.S.data() + first, {}, nullptr};
+                for (int a = 0; a < D; ++a) s.G[a] = store.G[a].data() + first;
+                const Domain<D> domain = domain_of(state.particles, p);
+                bool filled = false;
+                if constexpr (D == 2)
+                    if (ring) {
+                        s.T = store.T.data() + first;
+                        Shape::template fill<true>(state.grid, domain, tile.window, s);
+                        filled = true;
+                    }
+                if (!filled) Shape::template fill<false>(state.grid, domain, tile.window, s);
+                for (std::size_t entry = first; entry < store.first[p + 1]; ++entry)
+                    store.slot[entry] = table[store.slot[entry]];
             }
         });
     });
 }
 
 template void find_velocity_fields<2>(State<2>&);
+template void find_velocity_fields<3>(State<3>&);
 template void store_stencils<2>(State<2>&);
+template void store_stencils<3>(State<3>&);
 
 } // namespace abut

@@ -16,5 +16,6 @@ std::string describe_failure(const State<D>& state, std::int32_t particle, const
 }
 
 template std::string describe_failure<2>(const State<2>&, std::int32_t, const std::string&);
+template std::string describe_failure<3>(const State<3>&, std::int32_t, const std::string&);
 
 } // namespace abut

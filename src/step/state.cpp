@@ -38,7 +38,17 @@ State<D> make_state(const Scene& scene, const Model& model) {
         // Perfect interfaces need no pairs: lumping makes all bodies of a node one, exactly.
         if (state.effects.clouds || state.effects.gradients) state.contact.three_or_more = scene.contact->three_or_more;
     }
-    for (const BoundarySpec& boundary : scene.boundaries) state.walls.push_back({boundary.name, boundary.wall, {}, 0});
+    for (const BoundarySpec& boundary : scene.boundaries) {
+        const auto number = static_cast<std::int32_t>(state.boundaries.size());
+        state.boundaries.push_back({boundary.name, boundary.condition, {}});
+        if (const auto* traction = std::get_if<TractionSpec>(&boundary.condition)) {
+            const auto body = std::find_if(model.bodies.begin(), model.bodies.end(),
+                                           [&](const ModelBody& b) { return b.name == traction->body; });
+            const auto faces =
+                find_faces(*traction, number, static_cast<std::int32_t>(body - model.bodies.begin()), state.particles);
+            state.traction_faces.insert(state.traction_faces.end(), faces.begin(), faces.end());
+        }
+    }
     for (const ModelBody& body : model.bodies) {
         const Material& material = state.materials[body.material];
         const double stiffness = std::visit(
@@ -49,5 +59,6 @@ State<D> make_state(const Scene& scene, const Model& model) {
 }
 
 template State<2> make_state<2>(const Scene&, const Model&);
+template State<3> make_state<3>(const Scene&, const Model&);
 
 } // namespace abut

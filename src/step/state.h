@@ -1,5 +1,6 @@
 #pragma once
-#include "boundary/wall.h"
+#include "boundary/boundary.h"
+#include "boundary/traction.h"
 #include "contact/contact.h"
 #include "grid/grid.h"
 #include "grid/tile.h"
@@ -19,16 +20,19 @@ template <int D>
 struct NodeArrays {
     std::vector<Pack> momentum;       ///< mass | momentum extrapolated from the particles, p^α0
     std::vector<Pack> force;          ///< - | internal force, then all force but contact and walls
+    std::vector<Pack> traction;       ///< - | force of tractions, part of `force` (Effects::tractions)
     std::vector<Pack> velocity;       ///< mass | v^α at the start of the step, after the first contact pass
-    std::vector<Pack> end_velocity;   ///< mass | v^α+ at the end of the step
+    std::vector<Pack> end_velocity;   ///< mass | v^α+ = m^-1 p^α+ at the end of the step
     std::vector<Pack> delta_velocity; ///< - | Δv^α of the first contact pass (Effects::delta_velocity)
-    std::vector<Pack> filtered;       ///< - | m_k^-1 applied to the momenta (Effects::extra_orders)
-    std::vector<Pack> round_trip;     ///< - | m S+ S applied to `filtered` (Effects::extra_orders)
+    /// - | XPIC: m_k^-1 p^α; FMPM: v^α+ = m_k^-1 p^α+, which moves and deforms the particles (Effects::extra_orders)
+    std::vector<Pack> filtered;
+    std::vector<Pack> deforming;  ///< - | `filtered`, but lumped where bodies touch (Effects::contact_strain)
+    std::vector<Pack> round_trip; ///< - | m S+ S applied to `filtered` (Effects::extra_orders)
 };
 
 /// Sums since the start of the run, for the energy balance.
 struct Ledger {
-    double external_work = 0; ///< of walls and gravity [J]
+    double external_work = 0; ///< of boundaries and gravity [J]
     double contact_work = 0;  ///< of both contact passes [J]
 };
 
@@ -47,19 +51,38 @@ struct State {
     StencilStore<D> stencil_store; ///< empty for shapes that are expanded on the spot
     NodeArrays<D> nodes;
     Contact<D> contact;
-    std::vector<Wall<D>> walls;
+    std::vector<Boundary> boundaries;
+    std::vector<Control> controls; ///< of the present step (Effects::velocity_conditions)
+    std::vector<TractionFace> traction_faces;
+    std::vector<ShapedFace<D>> shaped_faces; ///< the same at the beginning of the present step
     Ledger ledger;
     double time = 0; ///< [s]
     double dt = 0;   ///< of the present step [s]
     long step = 0;
     double largest_wave_speed = 0; ///< over all particles, of the present state [m/s]
+    double since_transfer = 0;     ///< time since the last step with the scheme's transfer [s] (Effects::periodic)
+    bool transfers = true; ///< the present step uses the scheme's transfer, not FLIP between (Effects::periodic)
 
     const Material& material_of(int body) const { return materials[bodies[body].material]; }
-    template <class Shape>
-    StencilSource<D, Shape> stencils(const Tile<D>& tile) const {
+    /// Whether this step applies the full mass matrix or the XPIC filter.
+    bool filters() const { return effects.extra_orders > 0 && transfers; }
+    /// Whether velocity conditions act on the lumped velocities, before any full mass matrix calculation.
+    bool conditions_on_lumped() const {
+        return effects.velocity_conditions &&
+               !(effects.fmpm && transfers && scene.method.velocity_conditions == VelocityConditions::velocity);
+    }
+    template <class Source>
+    StencilSource<D, Source> stencils(const Tile<D>& tile) const {
         return {grid, particles, fields, stencil_store, tile};
     }
 };
+
+/// Calls work(source) with where a run's kernels get their stencils from.
+template <int D, class Work>
+decltype(auto) with_stencils(const State<D>& state, Work&& work) {
+    return with_stencils<D>(state.scene.method.shape, state.effects.stored_stencils, state.effects.ring,
+                            std::forward<Work>(work));
+}
 
 /// A run at its start: particles of the model at rest strain, time 0.
 template <int D>

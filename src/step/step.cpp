@@ -2,6 +2,7 @@
 
 #include "contact/contact_pass.h"
 #include "contact/find_contacts.h"
+#include "plan/time_step.h"
 #include "step/run_error.h"
 #include "step/tasks.h"
 
@@ -12,9 +13,14 @@ namespace abut {
 
 namespace {
 
+/// Decides whether this step uses the scheme's transfer or is a FLIP step between.
 template <int D>
-void find_controlled_nodes(State<D>& state) {
-    for (Wall<D>& wall : state.walls) find_controlled(wall, state.grid, state.fields, state.time);
+void choose_transfer(State<D>& state) {
+    const double every = *state.scene.method.transfer.every_cfl * crossing_time(state);
+    state.since_transfer += state.dt;
+    // In the step that ends nearest to the due time: steps change a little with the wave speed.
+    state.transfers = state.since_transfer + 0.5 * state.dt >= every;
+    if (state.transfers) state.since_transfer = 0;
 }
 
 } // namespace
@@ -26,16 +32,22 @@ std::vector<Task<D>> step_tasks(const Scene& scene) {
     const auto add = [&](bool needed, const char* name, const char* reason, void (*run)(State<D>&)) {
         if (needed) tasks.push_back({name, reason, run});
     };
-    const bool usf = effects.stress_first;
-    const bool walls = !scene.boundaries.empty();
+    const bool first = effects.stress_first;
+    const bool again = effects.reextrapolate;
+    const bool conditions = effects.velocity_conditions;
+    const bool filters = effects.extra_orders > 0;
 
+    add(effects.periodic, "choose transfer", "every_cfl: flip steps between", choose_transfer<D>);
     add(true, "find velocity fields", "always: particles have moved", find_velocity_fields<D>);
-    add(effects.stored_stencils, "store stencils", "cpdi is dear to expand for every sweep", store_stencils<D>);
-    add(walls, "find wall nodes", "the scene has walls", find_controlled_nodes<D>);
-    add(!usf, "extrapolate momenta and forces", "always; in one sweep, since stress is updated last (usl)",
+    add(effects.stored_stencils, "store stencils",
+        again ? "the last extrapolation needs those of the step's beginning" : "dear to expand for every sweep",
+        store_stencils<D>);
+    add(!first, "extrapolate momenta and forces", "always; in one sweep, since stress is updated last",
         extrapolate_momenta_and_forces<D>);
-    add(usf, "extrapolate momenta", "always", extrapolate_momenta<D>);
+    add(first, "extrapolate momenta", "always", extrapolate_momenta<D>);
     add(true, "find velocities", "always", find_velocities<D>);
+    add(conditions, "find controlled nodes",
+        effects.ring ? "radial velocity is zero on the axis" : "the scene sets velocities of nodes", find_controls<D>);
     add(effects.contact, "find contact groups", "the scene has contact", find_groups<D>);
     add(effects.clouds, "gather point clouds",
         effects.regression ? "normals by regression" : "separations by particle-edges", gather_clouds<D>);
@@ -46,32 +58,45 @@ std::vector<Task<D>> step_tasks(const Scene& scene) {
         find_normals_and_separations<D>);
     add(effects.contact && scene.contact->corrections == 2, "first contact pass",
         "extrapolated velocities must obey contact", first_contact_pass<D>);
-    add(usf, "update stress", "stress_update is usf", update_stress_first<D>);
-    add(usf, "extrapolate forces", "always", extrapolate_forces<D>);
+    add(first, "update stress", effects.stress_last ? "first half (usavg)" : "stress is updated first (usf)",
+        update_stress_first<D>);
+    add(first, "extrapolate forces", "always", extrapolate_forces<D>);
+    add(effects.tractions, "apply tractions", "the scene has tractions", apply_tractions<D>);
     add(true, "update momenta", "always", update_momenta<D>);
-    add(walls, "impose walls", "the scene has walls", impose_walls<D>);
+    add(conditions, "impose conditions", "the scene sets velocities of nodes", impose_conditions<D>);
     add(effects.contact, "second contact pass", "updated momenta must obey contact", second_contact_pass<D>);
-    add(effects.contact || walls || effects.gravity, "settle works", "the energy balance", settle_works<D>);
-    add(effects.extra_orders > 0, "filter velocities", "xpic of order 2 or more", filter_velocities<D>);
-    add(true, usf ? "update particles" : "update particles and stress", "always", update_particles<D>);
+    add(filters, "filter velocities",
+        effects.fmpm ? "fmpm: full mass matrix inverse of order 2 or more" : "xpic of order 2 or more",
+        filter_velocities<D>);
+    add(effects.contact || conditions || effects.gravity || effects.tractions, "settle works", "the energy balance",
+        settle_works<D>);
+    add(true, effects.stress_last && !again ? "update particles and stress" : "update particles", "always",
+        update_particles<D>);
+    add(again, "update stress again", "velocities extrapolated anew (usl+, usavg+)", update_stress_again<D>);
     return tasks;
 }
 
 template <int D>
-double stable_step(const State<D>& state) {
+double crossing_time(const State<D>& state) {
     return state.grid.length() / state.largest_wave_speed;
+}
+
+template <int D>
+double stable_step(const State<D>& state) {
+    return cfl_limit(state.scene) * crossing_time(state);
 }
 
 template <int D>
 double next_step(const State<D>& state, double until) {
     const double stable = stable_step(state);
-    double dt = state.scene.time.cfl * stable;
+    double dt = std::min(state.scene.time.cfl * crossing_time(state), stable);
     if (state.scene.time.step) {
         dt = *state.scene.time.step;
         if (dt > stable) {
             std::ostringstream text;
             text << "step " << state.step << ", time " << state.time << " s: the time step of " << dt
-                 << " s is above the stable one of " << stable << " s (cell / wave speed)";
+                 << " s is above the stable one of " << stable << " s (" << cfl_limit(state.scene)
+                 << " cell / wave speed)";
             throw RunError(text.str());
         }
     }
@@ -93,8 +118,14 @@ void advance(State<D>& state, std::vector<Task<D>>& tasks) {
 }
 
 template std::vector<Task<2>> step_tasks<2>(const Scene&);
+template std::vector<Task<3>> step_tasks<3>(const Scene&);
+template double crossing_time<2>(const State<2>&);
+template double crossing_time<3>(const State<3>&);
 template double stable_step<2>(const State<2>&);
+template double stable_step<3>(const State<3>&);
 template double next_step<2>(const State<2>&, double);
+template double next_step<3>(const State<3>&, double);
 template void advance<2>(State<2>&, std::vector<Task<2>>&);
+template void advance<3>(State<3>&, std::vector<Task<3>>&);
 
 } // namespace abut

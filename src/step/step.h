@@ -19,13 +19,16 @@ struct Task {
 template <int D>
 std::vector<Task<D>> step_tasks(const Scene& scene);
 
-/// Largest stable time step of the present state: cell size over wave speed [s].
+/// Time that the fastest wave of the present state takes to cross a cell [s].
+template <int D>
+double crossing_time(const State<D>& state);
+
+/// Largest stable time step of the present state: the crossing time, less for some methods (cfl_limit()) [s].
 template <int D>
 double stable_step(const State<D>& state);
 
-/// The next time step: the scene's fixed step, or its cfl times the stable step; shorter if the run would otherwise
-/// pass `until`.
-/// \throws RunError if the fixed step is above the stable one
+/// The next time step: the scene's fixed step, or its cfl times the crossing time but not above the stable step;
+/// shorter if the run would otherwise pass `until`. \throws RunError if the fixed step is above the stable one
 template <int D>
 double next_step(const State<D>& state, double until);
 

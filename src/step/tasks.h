@@ -31,19 +31,34 @@ void extrapolate_momenta_and_forces(State<D>& state);
 template <int D>
 void find_velocities(State<D>& state);
 
+/// Finds the slots whose velocities walls and other conditions set in this step.
+template <int D>
+void find_controls(State<D>& state);
+
+/// Adds the tractions on particle faces to the forces (FMPM paper §2.4).
+template <int D>
+void apply_tractions(State<D>& state);
+
 /// p^α+ = p^α + f^α Δt with gravity (contact paper Eq. 30; notes 2.13).
 template <int D>
 void update_momenta(State<D>& state);
 
-/// Walls set the velocities at the end of the step (notes 2.7-2.12).
+/// Walls and other conditions set the velocities at the end of the step (notes 2.7-2.12).
 template <int D>
-void impose_walls(State<D>& state);
+void impose_conditions(State<D>& state);
 
-/// Closes the momentum update: work of walls, gravity and contact goes to the ledger.
+/// Closes the momentum update: work of boundaries, gravity and contact goes to the ledger.
 template <int D>
 void settle_works(State<D>& state);
 
-/// m_k^-1 p^α − m_(k−1)^-1 Δp^α by k − 1 gather-scatter sweeps (contact paper Eq. 39-44; FMPM paper Eq. 5).
+/// m_k^-1 p − m_(k−1)^-1 Δp by k − 1 gather-scatter sweeps (FMPM paper Eq. 1, 5; contact paper Eq. 39-44).
+/// \param velocity m^-1 p with the masses in lane 0; \param delta m^-1 Δp, or null
+template <int D>
+void apply_mass_matrix_inverse(State<D>& state, const std::vector<Pack>& velocity, const std::vector<Pack>* delta,
+                               std::vector<Pack>& filtered);
+
+/// XPIC: filters the velocities at the start of the step. FMPM: v^α+ through the full mass matrix, with velocity
+/// conditions by the scene's method (FMPM paper §2.4).
 template <int D>
 void filter_velocities(State<D>& state);
 
@@ -52,8 +67,12 @@ void filter_velocities(State<D>& state);
 template <int D>
 void update_particles(State<D>& state);
 
-/// Stress and deformation from the velocities at the start of the step, walls imposed (USF).
+/// Stress and deformation from the velocities at the start of the step, conditions imposed (USF, USAVG).
 template <int D>
 void update_stress_first(State<D>& state);
+
+/// Stress and deformation from the updated particle velocities, extrapolated anew (USL+, USAVG+; notes 2.8).
+template <int D>
+void update_stress_again(State<D>& state);
 
 } // namespace abut

@@ -18,6 +18,26 @@ void find_velocities(State<D>& state) {
 }
 
 template <int D>
+void find_controls(State<D>& state) {
+    std::vector<Control>& controls = state.controls;
+    controls.clear();
+    bool only_walls = true;
+    for (std::size_t b = 0; b < state.boundaries.size(); ++b) {
+        const auto number = static_cast<std::int32_t>(b);
+        const auto& condition = state.boundaries[b].condition;
+        if (const auto* wall = std::get_if<WallSpec>(&condition))
+            control_wall(*wall, number, state.grid, state.fields, state.nodes.velocity, state.time, state.dt, controls);
+        if (const auto* box = std::get_if<VelocitySpec>(&condition)) {
+            control_box(*box, number, state.grid, state.fields, state.time, state.dt, controls);
+            only_walls = false;
+        }
+    }
+    if (!only_walls) make_orthogonal(controls, state.fields.size());
+    if constexpr (D == 2)
+        if (state.effects.ring) control_axis(state.grid, state.fields, controls);
+}
+
+template <int D>
 void update_momenta(State<D>& state) {
     const auto n = static_cast<std::ptrdiff_t>(state.fields.size());
     state.nodes.end_velocity.resize(n);
@@ -31,27 +51,35 @@ void update_momenta(State<D>& state) {
 }
 
 template <int D>
-void impose_walls(State<D>& state) {
-    for (Wall<D>& wall : state.walls) impose(wall, state.nodes.end_velocity);
+void impose_conditions(State<D>& state) {
+    if (state.conditions_on_lumped()) impose(state.controls, state.nodes.end_velocity);
 }
 
 template <int D>
 void settle_works(State<D>& state) {
     const NodeArrays<D>& nodes = state.nodes;
-    for (Wall<D>& wall : state.walls) state.ledger.external_work += settle(wall);
+    state.ledger.external_work += settle(state.controls, state.boundaries);
     if (state.effects.contact) state.ledger.contact_work += contact_work(state);
-    if (state.effects.gravity) {
-        const Pack gravity = pack<D>(0, to_vec<D>(state.scene.gravity));
-        double work = 0;
-        for (std::size_t slot = 0; slot < nodes.velocity.size(); ++slot)
-            work += nodes.velocity[slot][0] * dot(gravity, nodes.velocity[slot] + nodes.end_velocity[slot]);
-        state.ledger.external_work += 0.5 * state.dt * work;
+    if (!state.effects.gravity && !state.effects.tractions) return;
+    const Pack gravity = pack<D>(0, to_vec<D>(state.scene.gravity));
+    double work = 0;
+    for (std::size_t slot = 0; slot < nodes.velocity.size(); ++slot) {
+        Pack force = nodes.velocity[slot][0] * gravity;
+        if (state.effects.tractions) force += nodes.traction[slot];
+        work += dot(force, nodes.velocity[slot] + nodes.end_velocity[slot]);
     }
+    state.ledger.external_work += 0.5 * state.dt * work;
 }
 
 template void find_velocities<2>(State<2>&);
+template void find_velocities<3>(State<3>&);
+template void find_controls<2>(State<2>&);
+template void find_controls<3>(State<3>&);
 template void update_momenta<2>(State<2>&);
-template void impose_walls<2>(State<2>&);
+template void update_momenta<3>(State<3>&);
+template void impose_conditions<2>(State<2>&);
+template void impose_conditions<3>(State<3>&);
 template void settle_works<2>(State<2>&);
+template void settle_works<3>(State<3>&);
 
 } // namespace abut

@@ -1,33 +1,13 @@
+#include "contact/contact_pass.h"
 #include "grid/parallel.h"
-#include "material/deformation.h"
-#include "shape/dispatch.h"
 #include "step/run_error.h"
 #include "step/tasks.h"
+#include "step/update_stress.h"
 #include "transfer/transfer.h"
-
-#include <atomic>
-#include <limits>
 
 namespace abut {
 
 namespace {
-
-/// dF = exp(∇v Δt), F ← dF F, stress by the law (FMPM paper Table 1, task 5). \return ρ0 c² of the particle [Pa]
-template <int D, class Law>
-[[gnu::always_inline]] inline double update_stress(Particles<D>& particles, std::int32_t p, const Law& law,
-                                                   const Pack (&gradient)[D], double dt) {
-    Mat<D> dv;
-    for (int a = 0; a < D; ++a)
-        for (int i = 0; i < D; ++i) dv(i, a) = gradient[a][i + 1] * dt;
-    const Mat<D> F = product(exponential(dv), particles.deformation_gradient[p]);
-    particles.deformation_gradient[p] = F;
-    const Strain<D> strain = strain_of<D>(F);
-    // NaN, J <= 0 and absurd stretch show as a negative stiffness, which the caller reports.
-    constexpr double absurd = 1e8; // trace of b
-    if (!(strain.J > 0 && strain.trace() < absurd)) return -1;
-    particles.stress[p] = law.template kirchhoff<D>(strain);
-    return law.template stiffness<D>(strain);
-}
 
 /// What went wrong with a particle, first in the order of tiles.
 struct Failures {
@@ -50,94 +30,203 @@ bool is_inside(const Grid<D>& grid, const Vec<D>& x) {
     return true;
 }
 
-/// One sweep over the particles: gathers what `Move` and the stress update want of the nodes.
-template <int D, class Move, bool Stress>
-void sweep(State<D>& state, const std::vector<Pack>& gradient_velocity) {
-    const NodeArrays<D>& nodes = state.nodes;
+/// A ring on the wrong side of the axis would have negative mass at nodes.
+template <int D>
+bool has_crossed_axis(const State<D>& state, std::int32_t p) {
+    return state.effects.ring && !(state.particles.position[p][0] > 0);
+}
+
+template <int D>
+bool is_in_place(const State<D>& state, std::int32_t p) {
+    return is_inside(state.grid, state.particles.position[p]) && !has_crossed_axis(state, p);
+}
+
+template <int D>
+std::string what_failed(const State<D>& state, std::int32_t p) {
+    if (!is_inside(state.grid, state.particles.position[p]))
+        return "the particle left the grid (or its position is not a number)";
+    if (has_crossed_axis(state, p))
+        return "the particle crossed the axis r = 0; a smaller time step or more cells near the axis may help";
+    return "the particle is turned inside out (det F <= 0), stretched ten thousandfold or not a number; a smaller time "
+           "step may help";
+}
+
+/// What a sweep does with the particles.
+template <int D>
+struct Sweep {
+    const MoveRule* rule = nullptr;        ///< null: particles stay where they are
+    const std::vector<Pack>& end_velocity; ///< E
+    const std::vector<Pack>& deforming;    ///< velocities that deform the particles, mostly the same
+    double strain_step = 0;                ///< time over which particles deform [s]; 0: not at all
+};
+
+/// Particles that are gathered before they are updated: the gathering loop and the constitutive law stay apart, and
+/// what passes between them in the nearest cache.
+constexpr int chunk = 64;
+
+template <int D>
+struct Gathered {
+    VelocityGradient<D> gradient;
+    Pack end{}, start{}, filtered{};
+};
+
+/// \tparam Extra velocities besides E that are wanted: 0 none, 1 B, 2 B and F, 3 those that deform the particles
+template <int D, class Source, int Extra>
+void gather(const State<D>& state, const Sweep<D>& sweep, const StencilView<D>& s, bool deforms, Gathered<D>& g) {
+    const Pack* const end = sweep.end_velocity.data();
+    const Pack* const start = state.nodes.velocity.data();
+    const Pack* const filtered = state.nodes.filtered.data();
+    [[maybe_unused]] const Pack* const deforming = sweep.deforming.data();
+    Gathered<D> sum;
+    [[maybe_unused]] double hoop = 0;
+    for (int k = 0; k < s.count; ++k) {
+        const std::int32_t slot = s.slot[k];
+        const Pack v = end[slot];
+        sum.end += s.S[k] * v;
+        if constexpr (Extra == 1 || Extra == 2) sum.start += s.S[k] * start[slot];
+        if constexpr (Extra == 2) sum.filtered += s.S[k] * filtered[slot];
+        const Pack d = Extra == 3 ? deforming[slot] : v;
+        if (deforms)
+            for (int a = 0; a < D; ++a) sum.gradient.column[a] += s.G[a][k] * d;
+        if constexpr (Source::ring) hoop += s.T[k] * d[1];
+    }
+    sum.gradient.hoop = hoop;
+    g = sum;
+}
+
+template <int D>
+void move(const MoveRule& rule, const Gathered<D>& g, Vec<D>& V, Vec<D>& X, double dt) {
+    const Pack old = pack<D>(0, V);
+    const Pack next = rule.v_V * old + rule.v_E * g.end + rule.v_B * g.start + rule.v_F * g.filtered;
+    V = vector_of<D>(next);
+    X += dt * vector_of<D>(rule.x_V * old + rule.x_N * next + rule.x_E * g.end + rule.x_B * g.start);
+}
+
+/// One sweep over the particles of a tile. \return the largest ρ0 c² [Pa]; the first particle that fails in `failed`
+template <int D, class Source, int Extra>
+double sweep_tile(State<D>& state, const Sweep<D>& sweep, const Tile<D>& tile, std::int32_t& failed) {
     Particles<D>& particles = state.particles;
+    auto stencils = state.template stencils<Source>(tile);
+    const bool deforms = sweep.strain_step > 0;
+    double stiffest = 0;
+    Gathered<D> gathered[chunk];
+    for (std::int32_t first = tile.first; first < tile.last; first += chunk) {
+        const std::int32_t last = std::min(tile.last, first + chunk);
+        for (std::int32_t p = first; p < last; ++p)
+            gather<D, Source, Extra>(state, sweep, deforms ? stencils.of(p) : stencils.values_of(p), deforms,
+                                     gathered[p - first]);
+        if (sweep.rule)
+            for (std::int32_t p = first; p < last; ++p) {
+                move(*sweep.rule, gathered[p - first], particles.velocity[p], particles.position[p], state.dt);
+                if (failed < 0 && !is_in_place(state, p)) failed = p;
+            }
+        if (!deforms) continue;
+        std::visit(
+            [&](const auto& law) {
+                for (std::int32_t p = first; p < last; ++p) {
+                    const double stiffness = update_stress(particles, p, law, gathered[p - first].gradient,
+                                                           sweep.strain_step, state.effects.free_across);
+                    stiffest = std::max(stiffest, stiffness);
+                    if (failed < 0 && !(stiffness >= 0)) failed = p;
+                }
+            },
+            state.material_of(tile.body).law);
+    }
+    return stiffest;
+}
+
+template <int D>
+void run(State<D>& state, const Sweep<D>& sweep) {
     const std::size_t tile_count = state.tiling.tiles.size();
     Failures failures(tile_count);
     std::vector<double> fastest(tile_count, 0);
-    with_shape(state.scene.method.shape, [&](auto shape) {
-        using Shape = decltype(shape);
-        for_each_tile(state.tiling, [&](const Tile<D>& tile) {
-            const std::size_t t = &tile - state.tiling.tiles.data();
-            const Material& material = state.material_of(tile.body);
-            std::visit(
-                [&](const auto& law) {
-                    auto stencils = state.template stencils<Shape>(tile);
-                    double stiffest = 0;
-                    for (std::int32_t p = tile.first; p < tile.last; ++p) {
-                        const StencilView<D> s = stencils.of(p);
-                        Move move;
-                        Pack gradient[D] = {};
-                        for (int k = 0; k < s.count; ++k) {
-                            const std::int32_t slot = s.slot[k];
-                            move.gather(nodes, slot, s.S[k]);
-                            if constexpr (Stress)
-                                for (int a = 0; a < D; ++a) gradient[a] += s.G[a][k] * gradient_velocity[slot];
-                        }
-                        move.update(particles.velocity[p], particles.position[p], state.dt);
-                        if constexpr (Stress) {
-                            const double stiffness = update_stress(particles, p, law, gradient, state.dt);
-                            stiffest = std::max(stiffest, stiffness);
-                            if (!(stiffness >= 0) && failures.particle[t] < 0) failures.particle[t] = p;
-                        }
-                        if (!is_inside(state.grid, particles.position[p]) && failures.particle[t] < 0)
-                            failures.particle[t] = p;
-                    }
-                    fastest[t] = std::sqrt(stiffest / material.density);
-                },
-                material.law);
+    const auto with_extra = [&](auto extra) {
+        with_stencils(state, [&](auto source) {
+            for_each_tile(state.tiling, [&](const Tile<D>& tile) {
+                const std::size_t t = &tile - state.tiling.tiles.data();
+                const double stiffest =
+                    sweep_tile<D, decltype(source), decltype(extra)::value>(state, sweep, tile, failures.particle[t]);
+                fastest[t] = std::sqrt(stiffest / state.material_of(tile.body).density);
+            });
         });
-    });
-    if (const std::int32_t p = failures.first(); p >= 0) {
-        const bool outside = !is_inside(state.grid, particles.position[p]);
-        throw RunError(describe_failure(state, p,
-                                        outside ? "the particle left the grid (or its position is not a number)"
-                                                : "the particle is turned inside out (det F <= 0), stretched ten "
-                                                  "thousandfold or not a number; a smaller "
-                                                  "time step may help"));
-    }
-    if constexpr (Stress) {
+    };
+    if (&sweep.deforming != &sweep.end_velocity)
+        with_extra(std::integral_constant<int, 3>{});
+    else if (sweep.rule && sweep.rule->needs_filtered())
+        with_extra(std::integral_constant<int, 2>{});
+    else if (sweep.rule && sweep.rule->needs_start())
+        with_extra(std::integral_constant<int, 1>{});
+    else
+        with_extra(std::integral_constant<int, 0>{});
+    if (const std::int32_t p = failures.first(); p >= 0)
+        throw RunError(describe_failure(state, p, what_failed(state, p)));
+    if (sweep.strain_step > 0) {
         state.largest_wave_speed = 0;
         for (const double speed : fastest) state.largest_wave_speed = std::max(state.largest_wave_speed, speed);
     }
 }
 
-template <int D, class Move>
-void update(State<D>& state) {
-    if (state.effects.stress_first)
-        sweep<D, Move, false>(state, state.nodes.end_velocity);
-    else
-        sweep<D, Move, true>(state, state.nodes.end_velocity);
+/// What moves and deforms the particles at the end of the step.
+template <int D>
+const std::vector<Pack>& final_velocity(const State<D>& state) {
+    return state.effects.fmpm && state.transfers ? state.nodes.filtered : state.nodes.end_velocity;
+}
+
+/// Velocities that deform particles apart from the momentum update: as given, then through the full mass matrix and the
+/// velocity conditions (FMPM paper §2.3, task 5; notes 2.3.2).
+template <int D>
+std::vector<Pack> deforming_velocity(State<D>& state, const std::vector<Pack>& lumped, const std::vector<Pack>* delta) {
+    std::vector<Pack> velocity = lumped;
+    if (state.conditions_on_lumped()) impose_untracked(state.controls, velocity);
+    if (!state.effects.fmpm || !state.transfers) return velocity;
+    std::vector<Pack> filtered;
+    apply_mass_matrix_inverse(state, velocity, delta, filtered);
+    if (state.scene.method.velocity_conditions != VelocityConditions::lumped)
+        impose_untracked(state.controls, filtered);
+    return filtered;
 }
 
 } // namespace
 
 template <int D>
 void update_particles(State<D>& state) {
-    const TransferSpec& transfer = state.scene.method.transfer;
-    const bool from_end = transfer.position == PositionUpdate::end_velocity;
-    if (transfer.scheme == TransferScheme::flip) return update<D, FlipMove<D>>(state);
-    if (state.effects.extra_orders > 0)
-        return from_end ? update<D, XpicMove<D, true>>(state) : update<D, XpicMove<D, false>>(state);
-    return from_end ? update<D, PicMove<D, true>>(state) : update<D, PicMove<D, false>>(state);
+    const bool with_stress = state.effects.stress_last && !state.effects.reextrapolate;
+    const double strain_step = with_stress ? state.effects.stress_share() * state.dt : 0;
+    const MoveRule rule = state.transfers ? move_rule(state.scene.method.transfer) : flip_rule;
+    const std::vector<Pack>& velocity = final_velocity(state);
+    const bool apart = state.effects.contact_strain && state.transfers; // fmpm, whose rules want E alone
+    run<D>(state, {&rule, velocity, apart ? state.nodes.deforming : velocity, strain_step});
 }
 
 template <int D>
 void update_stress_first(State<D>& state) {
-    // Walls belong to the velocities that deform the particles, not to the momenta that forces then change
-    // (notes 2.3.2).
-    std::vector<Pack> velocity = state.nodes.velocity;
-    for (const Wall<D>& wall : state.walls) {
-        Wall<D> untracked = wall;
-        impose(untracked, velocity);
+    const std::vector<Pack>* delta = state.effects.delta_velocity ? &state.nodes.delta_velocity : nullptr;
+    const std::vector<Pack> velocity = deforming_velocity(state, state.nodes.velocity, delta);
+    run<D>(state, {nullptr, velocity, velocity, state.effects.stress_share() * state.dt});
+}
+
+template <int D>
+void update_stress_again(State<D>& state) {
+    // The stencils are still those of the step's beginning: particles and grid have moved together since.
+    extrapolate_momenta(state);
+    std::vector<Pack> velocity = state.nodes.momentum;
+    for (Pack& v : velocity) {
+        const double mass = v[0];
+        if (mass > 0) v /= mass;
+        v[0] = mass;
     }
-    sweep<D, NoMove<D>, true>(state, velocity);
+    std::vector<Pack> delta;
+    if (state.effects.contact)
+        correct_for_contact(state, velocity, state.effects.fmpm && state.transfers ? &delta : nullptr);
+    velocity = deforming_velocity(state, velocity, delta.empty() ? nullptr : &delta);
+    run<D>(state, {nullptr, velocity, velocity, state.effects.stress_share() * state.dt});
 }
 
 template void update_particles<2>(State<2>&);
+template void update_particles<3>(State<3>&);
 template void update_stress_first<2>(State<2>&);
+template void update_stress_first<3>(State<3>&);
+template void update_stress_again<2>(State<2>&);
+template void update_stress_again<3>(State<3>&);
 
 } // namespace abut

@@ -1,72 +1,49 @@
 #pragma once
+#include "scene/scene.h"
 #include "step/state.h"
 
 namespace abut {
 
-// How the grid moves a particle: gather() adds up what a rule wants of the nodes, update() applies it (FMPM paper
-// §2.3).
+/// How the grid moves a particle. From the nodes the particle gets
+///   E = S v+ (velocities at the end of the step, through the full mass matrix for FMPM), B = S v (at its beginning),
+///   F = S m_k^-1 p (filtered, XPIC only),
+/// and every rule (FMPM paper §2.3, Eq. 2) is a linear combination of them and its own velocity:
+///   V' = v_V V + v_E E + v_B B + v_F F,   X' = X + Δt (x_V V + x_N V' + x_E E + x_B B).
+struct MoveRule {
+    double v_V = 0, v_E = 0, v_B = 0, v_F = 0;
+    double x_V = 0, x_N = 0, x_E = 0, x_B = 0;
 
-/// FLIP: V += S a Δt, X += S m^-1 p Δt + ½ S a Δt².
-template <int D>
-struct FlipMove {
-    Pack change{};
-    Pack end{};
-    void gather(const NodeArrays<D>& nodes, std::int32_t slot, double S) {
-        const Pack v = nodes.end_velocity[slot];
-        change += S * (v - nodes.velocity[slot]);
-        end += S * v;
-    }
-    void update(Vec<D>& V, Vec<D>& X, double dt) const {
-        V += vector_of<D>(change);
-        X += vector_of<D>(end - 0.5 * change) * dt;
-    }
+    bool needs_start() const { return v_B != 0 || x_B != 0; }
+    bool needs_filtered() const { return v_F != 0; }
 };
 
-/// PIC: V = S v+. Position: see TransferSpec::position.
-template <int D, bool FromEnd>
-struct PicMove {
-    Pack start{};
-    Pack end{};
-    void gather(const NodeArrays<D>& nodes, std::int32_t slot, double S) {
-        if constexpr (!FromEnd) start += S * nodes.velocity[slot];
-        end += S * nodes.end_velocity[slot];
-    }
-    void update(Vec<D>& V, Vec<D>& X, double dt) const {
-        const Vec<D> next = vector_of<D>(end);
-        if constexpr (FromEnd)
-            X += next * dt;
-        else
-            X += (vector_of<D>(start) + 0.5 * (next - V)) * dt;
-        V = next;
-    }
-};
+/// V' = V + S a Δt; X' = X + S m^-1 p Δt + ½ S a Δt², that is Δt ½ (B + E).
+constexpr MoveRule flip_rule{.v_V = 1, .v_E = 1, .v_B = -1, .x_E = 0.5, .x_B = 0.5};
 
-/// XPIC(k): V = S (m_k^-1 p + m^-1 f Δt) (FMPM paper §2.3; with contact Eq. 5). Position: see TransferSpec::position.
-template <int D, bool FromEnd>
-struct XpicMove {
-    Pack moving{};
-    Pack updated{};
-    void gather(const NodeArrays<D>& nodes, std::int32_t slot, double S) {
-        const Pack start = nodes.velocity[slot];
-        const Pack end = nodes.end_velocity[slot];
-        moving += S * (FromEnd ? end : start);
-        updated += S * (nodes.filtered[slot] + (end - start));
+/// The rule of a scheme; PIC and FMPM differ in what E is.
+inline MoveRule move_rule(const TransferSpec& transfer) {
+    if (transfer.scheme == TransferScheme::flip) return flip_rule;
+    MoveRule rule;
+    rule.v_E = 1; // V' = E
+    if (transfer.scheme == TransferScheme::xpic && transfer.order > 1) {
+        rule.v_F = 1; // V' = S (m_k^-1 p + m^-1 f Δt) = F + E − B
+        rule.v_B = -1;
     }
-    void update(Vec<D>& V, Vec<D>& X, double dt) const {
-        const Vec<D> next = vector_of<D>(updated);
-        if constexpr (FromEnd)
-            X += vector_of<D>(moving) * dt;
-        else
-            X += (vector_of<D>(moving) + 0.5 * (next - V)) * dt;
-        V = next;
+    switch (position_update(transfer)) {
+    case PositionUpdate::end_velocity: // X' = X + E Δt
+        rule.x_E = 1;
+        break;
+    case PositionUpdate::start_velocity: // X' = X + (B + ½ (V' − V)) Δt
+        rule.x_B = 1;
+        rule.x_N = 0.5;
+        rule.x_V = -0.5;
+        break;
+    case PositionUpdate::mean_velocity: // X' = X + ½ (V + V') Δt
+        rule.x_N = 0.5;
+        rule.x_V = 0.5;
+        break;
     }
-};
-
-/// Leaves the particle where it is: the stress update of USF.
-template <int D>
-struct NoMove {
-    void gather(const NodeArrays<D>&, std::int32_t, double) {}
-    void update(Vec<D>&, Vec<D>&, double) const {}
-};
+    return rule;
+}
 
 } // namespace abut

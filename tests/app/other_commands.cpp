@@ -39,7 +39,7 @@ TEST(Check, ListsTasksAndFieldsWithReasons) {
     expect_line("  find contact groups ", "the scene has contact");
     expect_line("  gather point clouds ", "normals by regression");
     expect_line("  filter velocities ", "xpic of order 2 or more");
-    expect_line("  impose walls ", "the scene has walls");
+    expect_line("  impose conditions ", "the scene sets velocities of nodes");
     expect_line("bytes a contact node  point cloud", "(normals by regression)");
     expect_line("bytes a particle", "(always)");
     expect_line(" MB together", "");

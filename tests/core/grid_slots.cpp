@@ -150,9 +150,7 @@ TEST_P(Slots, TilesCoverAllParticlesOnceAndHoldOneBodyOfOneBlock) {
     EXPECT_EQ(next, static_cast<int>(state.particles.size()));
 }
 
-INSTANTIATE_TEST_SUITE_P(AllShapes, Slots,
-                         testing::Combine(testing::Values(ShapeKind::linear, ShapeKind::ugimp, ShapeKind::cpdi),
-                                          testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(AllShapes, Slots, testing::Combine(testing::ValuesIn(all_shapes), testing::Bool()));
 
 TEST(Sort, KeepsEveryParticleWholeAndTheOrderWithinACell) {
     State<2> state = cloud_state(ShapeKind::linear, true, 20);

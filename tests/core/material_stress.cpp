@@ -1,9 +1,9 @@
 #include "support.h"
 
-#include "material/deformation.h"
 #include "material/material.h"
 
 #include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 
 namespace {
 
@@ -13,13 +13,19 @@ constexpr double K = 2450;
 constexpr double G = 940;
 
 std::vector<Law> laws() {
-    return {NeoHookean{K - 2.0 / 3 * G, G}, NeoHookeanIsochoric{K, G}};
+    return {NeoHookean{K - 2.0 / 3 * G, G}, NeoHookeanIsochoric{K, G}, LinearElastic{K - 2.0 / 3 * G, G}};
 }
 
 /// The laws' energies written down again, in long double and three dimensions.
 long double energy(const Law& law, const Eigen::Matrix<long double, 3, 3>& F) {
     const long double J = F.determinant();
     const long double I1 = (F * F.transpose()).trace();
+    if (std::holds_alternative<LinearElastic>(law)) {
+        // |V − I|² and tr(V − I) of the singular values of F, the principal stretches.
+        const Eigen::Array<long double, 3, 1> e =
+            Eigen::JacobiSVD<Eigen::Matrix<long double, 3, 3>>(F).singularValues().array() - 1;
+        return G * e.square().sum() + (K - 2.0L / 3 * G) / 2 * e.sum() * e.sum();
+    }
     if (std::holds_alternative<NeoHookean>(law))
         return (K - 2.0L / 3 * G) / 2 * ((J * J - 1) / 2 - std::log(J)) + G / 2.0L * (I1 - 3 - 2 * std::log(J));
     return G / 2.0L * (I1 / std::pow(J, 2.0L / 3) - 3) + K / 2.0L * ((J * J - 1) / 2 - std::log(J));
@@ -174,41 +180,30 @@ TEST(Material, InverseCubeRootSquaredIsExactToRoundOff) {
     }
 }
 
-/// Taylor series in long double after halving until the norm is small, then squaring.
-Mat<2> exponential_oracle(const Mat<2>& A) {
-    using Long = Eigen::Matrix<long double, 2, 2>;
-    int halvings = 0;
-    double norm = A.norm();
-    for (; norm > 0.1; norm /= 2) ++halvings;
-    const Long small = A.cast<long double>() * std::pow(0.5L, halvings);
-    Long sum = Long::Identity();
-    Long term = Long::Identity();
-    for (int k = 1; k < 20; ++k) {
-        term = (term * small / static_cast<long double>(k)).eval();
-        sum += term;
+TEST(WaveSpeed, AtRestIsThatOfLongitudinalWavesInAnyDimension) {
+    for (const MaterialModel model :
+         {MaterialModel::neo_hookean, MaterialModel::neo_hookean_isochoric, MaterialModel::linear_elastic}) {
+        const MaterialSpec spec = material(2, 100, 40, model);
+        const Material m = make_material(spec);
+        std::visit(
+            [&](const auto& law) {
+                const double plane = law.template stiffness<2>(strain_of<2>(Mat<2>::Identity()));
+                const double space = law.template stiffness<3>(strain_of<3>(Mat<3>::Identity()));
+                EXPECT_NEAR(std::sqrt(plane / m.density), wave_speed(spec), 1e-12);
+                EXPECT_NEAR(std::sqrt(space / m.density), wave_speed(spec), 1e-12);
+            },
+            m.law);
     }
-    for (int i = 0; i < halvings; ++i) sum = (sum * sum).eval();
-    return sum.cast<double>();
 }
 
-TEST(Material, ExponentialOfAMatrix) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> in(-1, 1);
-    for (int trial = 0; trial < 2000; ++trial) {
-        const double size = std::pow(10.0, -6 + 7.0 * (trial % 100) / 99); // 1e-6 … 10
-        Mat<2> A;
-        A << in(random), in(random), in(random), in(random);
-        A *= size;
-        const Mat<2> oracle = exponential_oracle(A);
-        EXPECT_LT((exponential(A) - oracle).norm(), 1e-14 * (1 + A.norm()) * oracle.norm()) << A;
-        EXPECT_NEAR(exponential(A).determinant() / std::exp(A.trace()), 1,
-                    1e-14 * oracle.squaredNorm() / std::exp(A.trace()) * (1 + A.norm()));
-    }
-    // Equal eigenvalues that the matrix is not a multiple of, and the seam between series and closed form.
-    for (const double s : {0.0, 0.25, -0.25, 0.2499999999, 0.2500000001, -0.2499999999, -0.2500000001}) {
-        Mat<2> A;
-        A << 0.3, s, 1, 0.3;
-        EXPECT_LT((exponential(A) - exponential_oracle(A)).norm(), 1e-15 * 8) << s;
+TEST(WaveSpeed, BoundsOfPrincipalStretchesHoldInSpace) {
+    std::mt19937 random(77);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Mat<3> F = random_deformation<3>(random, 0.5);
+        const Strain<3> strain = strain_of<3>(F);
+        const Vec<3> values = Eigen::SelfAdjointEigenSolver<Mat<3>>(F * F.transpose()).eigenvalues();
+        EXPECT_GE(strain.largest(), values[2] * (1 - 1e-12));
+        EXPECT_LE(strain.smallest(), values[0] * (1 + 1e-12));
     }
 }
 

@@ -67,7 +67,8 @@ TEST(Frames, LookingChangesNothingThatFollows) {
             for (State<2>* state : {&plain, &watched}) {
                 for (auto& v : state->particles.velocity) v += Vec<2>(1.3, 0.4); // drifts over blocks
                 add_wall(state->scene, "right", 0, Side::upper, 11);
-                state->walls.push_back({"right", state->scene.boundaries.back().wall, {}, 0});
+                state->boundaries.push_back({"right", state->scene.boundaries.back().condition, {}});
+                state->effects = effects_of(state->scene);
             }
             look(watched);
             const auto all_frames = [&] {
@@ -151,13 +152,13 @@ TEST(Frames, CloudsAreTheParticlesThatANodeSees) {
             std::vector<int> found(first, first + contact.cloud_size[g]);
             std::vector<int> expected;
             for (std::size_t p = 0; p < state.particles.size(); ++p)
-                if (reference_weight(shape, state.grid, domain_of(state.particles, p), contact.groups[g].node).S >
+                if (reference_weight<2>(shape, state.grid, domain_of(state.particles, p), contact.groups[g].node).S >
                     1e-12)
                     expected.push_back(static_cast<int>(p));
             for (const int p : expected) EXPECT_THAT(found, testing::Contains(p));
             for (const int p : found) {
                 const double S =
-                    reference_weight(shape, state.grid, domain_of(state.particles, p), contact.groups[g].node).S;
+                    reference_weight<2>(shape, state.grid, domain_of(state.particles, p), contact.groups[g].node).S;
                 EXPECT_GT(S, -1e-15);
             }
             std::sort(found.begin(), found.end());

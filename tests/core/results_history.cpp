@@ -69,7 +69,7 @@ TEST(History, TotalsAreTheSumsOverParticles) {
 TEST(History, RowsHaveAValueForEveryColumn) {
     State<2> state = moving_cloud(2);
     add_wall(state.scene, "floor", 1, Side::lower, 1);
-    state.walls.push_back({"floor", state.scene.boundaries[0].wall, {}, 6});
+    state.boundaries.push_back({"floor", state.scene.boundaries[0].condition, {1, 6, 0}});
     const Totals all = totals(state);
     const auto columns = history_columns(state);
     const auto row = history_row(state, all, 2);
@@ -81,8 +81,9 @@ TEST(History, RowsHaveAValueForEveryColumn) {
     EXPECT_EQ(value["momentum_y"], all.momentum[1]);
     EXPECT_EQ(value["mean_stress_xy"], all.mean_stress()[3]);
     EXPECT_EQ(value["force_floor_y"], 3);
-    EXPECT_EQ(value["force_floor_x"], 0);
-    EXPECT_EQ(state.walls[0].impulse, 0) << "the next interval has begun";
+    EXPECT_EQ(value["force_floor_x"], 0.5);
+    EXPECT_EQ(value["force_floor_z"], 0);
+    EXPECT_EQ(state.boundaries[0].impulse, Vector{}) << "the next interval has begun";
     EXPECT_EQ(body_columns().size(), body_row(all).size());
 }
 

@@ -39,9 +39,19 @@ inline Scene plane_scene(double cell, double x0, double y0, double x1, double y1
     return scene;
 }
 
+/// A cubic box in 3D.
+inline Scene space_scene(double cell, double lower, double upper, const MaterialSpec& m) {
+    Scene scene;
+    scene.analysis = Analysis::three_d;
+    scene.grid = {{cell, cell, cell}, {lower, lower, lower}, {upper, upper, upper}};
+    scene.materials = {m};
+    scene.time.end = 1;
+    return scene;
+}
+
 inline TransferSpec transfer(TransferScheme scheme, int order = 2,
                              PositionUpdate position = PositionUpdate::end_velocity) {
-    return {scheme, order, position};
+    return {scheme, order, position, {}};
 }
 
 inline ContactSpec contact(LawType law, double coefficient = 0) {
@@ -52,11 +62,11 @@ inline ContactSpec contact(LawType law, double coefficient = 0) {
 
 inline void add_wall(Scene& scene, const std::string& name, int axis, Side side, double position, double velocity = 0,
                      bool grip = true, double depth = 1) {
-    scene.boundaries.push_back({name, {axis, side, position, velocity, depth, 0, grip}});
+    scene.boundaries.push_back({name, WallSpec{axis, side, position, velocity, depth, 0.0, false, grip}});
 }
 
 inline int add_body(Model& model, const std::string& name, Vector velocity = {}) {
-    model.bodies.push_back({name, 0, velocity});
+    model.bodies.push_back({name, 0, {velocity}});
     return static_cast<int>(model.bodies.size()) - 1;
 }
 
@@ -64,6 +74,23 @@ inline void add_particle(Model& model, int body, double x, double y, double half
     model.position.push_back({x, y, 0});
     model.half_size.push_back({half_x, half_y, 0});
     model.body.push_back(body);
+}
+
+inline void add_particle(Model& model, int body, const Vector& x, const Vector& half) {
+    model.position.push_back(x);
+    model.half_size.push_back(half);
+    model.body.push_back(body);
+}
+
+/// n particles per axis that fill a cube.
+inline void add_cube(Model& model, int body, const Vector& lower, double edge, int n) {
+    const double d = edge / n;
+    for (int k = 0; k < n; ++k)
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+                add_particle(model, body,
+                             {lower[0] + (i + 0.5) * d, lower[1] + (j + 0.5) * d, lower[2] + (k + 0.5) * d},
+                             {d / 2, d / 2, d / 2});
 }
 
 /// nx times ny particles that fill a box.
@@ -88,16 +115,18 @@ inline void add_disk(Model& model, int body, double x, double y, double radius, 
 }
 
 /// Totals of all bodies.
-inline Totals totals(State<2>& state) {
+template <int D>
+Totals totals(State<D>& state) {
     Totals all;
     for (const Totals& body : body_totals(state)) all += body;
     return all;
 }
 
 /// Runs to a time; `each` is called after every step.
-inline void run(
-    State<2>& state, double until, const std::function<void()>& each = [] {}) {
-    auto tasks = step_tasks<2>(state.scene);
+template <int D>
+void run(
+    State<D>& state, double until, const std::function<void()>& each = [] {}) {
+    auto tasks = step_tasks<D>(state.scene);
     while (state.time < until) {
         state.dt = next_step(state, until);
         if (!(state.dt > 1e-14 * until)) break; // what round-off left
@@ -107,7 +136,8 @@ inline void run(
 }
 
 /// Sorts the particles and numbers the slots, so that totals can be made before the first step.
-inline void prepare(State<2>& state) {
+template <int D>
+void prepare(State<D>& state) {
     find_velocity_fields(state);
     if (state.effects.stored_stencils) store_stencils(state);
 }
@@ -123,6 +153,37 @@ Mat<D> random_deformation(std::mt19937& random, double amount) {
             for (int j = 0; j < D; ++j) F(i, j) += in(random);
     } while (F.determinant() < 0.15);
     return F;
+}
+
+template <int D>
+Mat<D> random_rotation(std::mt19937& random) {
+    std::normal_distribution<double> in;
+    Mat<D> Q;
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) Q(i, j) = in(random);
+    for (int i = 0; i < D; ++i) { // Gram and Schmidt
+        for (int j = 0; j < i; ++j) Q.col(i) -= Q.col(j).dot(Q.col(i)) * Q.col(j);
+        Q.col(i).normalize();
+    }
+    if (Q.determinant() < 0) Q.col(0) *= -1;
+    return Q;
+}
+
+/// Any rotation before and after principal stretches in [smallest, largest].
+template <int D>
+Mat<D> stretched_and_turned(std::mt19937& random, double smallest, double largest) {
+    std::uniform_real_distribution<double> logarithm(std::log(smallest), std::log(largest));
+    Vec<D> stretch;
+    for (int a = 0; a < D; ++a) stretch[a] = std::exp(logarithm(random));
+    return random_rotation<D>(random) * stretch.asDiagonal() * random_rotation<D>(random).transpose();
+}
+
+constexpr ShapeKind all_shapes[] = {ShapeKind::linear,   ShapeKind::ugimp,  ShapeKind::gimp,  ShapeKind::cpdi,
+                                    ShapeKind::b2spline, ShapeKind::b2gimp, ShapeKind::b2cpdi};
+
+inline const char* name_of(ShapeKind kind) {
+    constexpr const char* names[] = {"linear", "ugimp", "gimp", "cpdi", "b2spline", "b2gimp", "b2cpdi"};
+    return names[static_cast<int>(kind)];
 }
 
 } // namespace test

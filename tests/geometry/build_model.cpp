@@ -46,7 +46,7 @@ TEST(BuildModel, BodiesThenImageBodiesInTheOrderOfTheLegend) {
     test.legend() = {grey(20, "right", "glass"), grey(10, "left"), grey(255, "")};
     test.legend()[0].velocity = {3, 0, 0};
     test.scene.bodies = {box("lid", {0, 3, 0}, {4, 4, 0})};
-    test.scene.bodies[0].velocity = {0, -1, 0};
+    test.scene.bodies[0].velocity.value = {0, -1, 0};
     const Model model = test.model();
     ASSERT_EQ(model.bodies.size(), 3u);
     EXPECT_EQ(model.bodies[0].name, "lid");
@@ -54,8 +54,8 @@ TEST(BuildModel, BodiesThenImageBodiesInTheOrderOfTheLegend) {
     EXPECT_EQ(model.bodies[2].name, "left");
     EXPECT_EQ(model.bodies[1].material, 1);
     EXPECT_EQ(model.bodies[2].material, 0);
-    EXPECT_THAT(model.bodies[0].velocity, ElementsAre(0, -1, 0));
-    EXPECT_THAT(model.bodies[1].velocity, ElementsAre(3, 0, 0));
+    EXPECT_THAT(model.bodies[0].velocity.value, ElementsAre(0, -1, 0));
+    EXPECT_THAT(model.bodies[1].velocity.value, ElementsAre(3, 0, 0));
     EXPECT_EQ(model.size(), 16u * 4);
     EXPECT_EQ(model.half_size.size(), model.size());
     EXPECT_EQ(model.body.size(), model.size());

@@ -50,7 +50,7 @@ TEST(Overlap, AgreesWithBruteForce) {
         }
         std::array<ShapeParticles, 2> shape;
         for (std::size_t k = 0; k < 2; ++k)
-            shape[k] = shape_particles(scene.bodies[k].shape, scene.bodies[k].particles_per_cell, scene.grid);
+            shape[k] = shape_particles(scene.bodies[k].shape, scene.bodies[k].particles_per_cell, scene.grid, 2);
         std::size_t expected = 0;
         for (const Vector& later : shape[1].position)
             expected += std::any_of(shape[0].position.begin(), shape[0].position.end(), [&](const Vector& earlier) {
@@ -73,4 +73,53 @@ TEST(Overlap, TouchingBodiesAreFine) {
     scene.bodies = {box("a", {0, 0, 0}, {1.1, 3, 0}), box("b", {1.1, 0, 0}, {2.3, 3, 0}),
                     box("c", {2.3, 0, 0}, {3, 3, 0})};
     EXPECT_THAT(problems(scene), ElementsAre());
+}
+
+TEST(Overlap, InSpace) {
+    Scene scene = unit_scene(4, 3);
+    scene.bodies = {box("a", {0, 0, 0}, {2, 2, 2}),
+                    box("b", {0, 0, 1}, {2, 2, 3}),
+                    box("c", {2, 0, 0}, {4, 2, 2}), // a's neighbour
+                    {"d", "steel", Ball{{2, 2, 3}, 1}, {}, 2}};
+    EXPECT_THAT(problems(scene), ElementsAre("/bodies/1: body \"b\" claims a place that body \"a\" has already "
+                                             "(/bodies/0): 32 of its 64 particles coincide",
+                                             HasSubstr("body \"d\" claims a place that body \"b\" has already "
+                                                       "(/bodies/1): 4 of its 32 particles")));
+}
+
+/// Boxes of several particle sizes, against comparing every particle with every other.
+TEST(Overlap, InSpaceAgreesWithBruteForce) {
+    Random random(5);
+    int overlapping = 0;
+    for (int round = 0; round < 60; ++round) {
+        Scene scene = unit_scene(6, 3);
+        std::array<ShapeParticles, 2> shape;
+        for (std::size_t k = 0; k < 2; ++k) {
+            Vector lower{}, upper{};
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                lower[axis] = random.between(0, 3);
+                upper[axis] = lower[axis] + random.between(0.3, 3);
+            }
+            scene.bodies.push_back(box(k == 0 ? "a" : "b", lower, upper));
+            scene.bodies[k].particles_per_cell = 1 + random.below(3);
+            shape[k] = shape_particles(scene.bodies[k].shape, scene.bodies[k].particles_per_cell, scene.grid, 3);
+        }
+        const auto within = [](const Vector& a, const Vector& b, const Vector& size) {
+            bool all = true;
+            for (std::size_t axis = 0; axis < 3; ++axis) all = all && std::abs(a[axis] - b[axis]) < size[axis];
+            return all;
+        };
+        std::size_t expected = 0;
+        for (const Vector& later : shape[1].position)
+            expected += std::any_of(shape[0].position.begin(), shape[0].position.end(), [&](const Vector& earlier) {
+                return within(later, earlier, shape[0].half_size) || within(later, earlier, shape[1].half_size);
+            });
+        const std::vector<std::string> found = problems(scene);
+        ASSERT_EQ(found.size(), expected > 0 ? 1u : 0u);
+        if (expected == 0) continue;
+        ++overlapping;
+        EXPECT_THAT(found[0],
+                    HasSubstr(fmt::format("(/bodies/0): {} of its {} particle", expected, shape[1].position.size())));
+    }
+    EXPECT_GT(overlapping, 15);
 }

@@ -1,4 +1,4 @@
-// Boxes, disks and ellipses to particles.
+// Boxes, disks and ellipses to particles, in the plane.
 #include "geometry/shape_particles.h"
 
 #include "support.h"
@@ -32,13 +32,13 @@ std::set<std::pair<long, long>> rounded(const ShapeParticles& particles, const V
 TEST(BoxParticles, AreaIsExactForAnyBox) {
     for (const auto& [width, height] : {std::pair{1.0, 0.5}, {0.123, 0.777}, {0.33, 0.01}, {2.0, 1e-4}}) {
         const ShapeParticles particles =
-            shape_particles(Box{{0.05, 0.03, 0}, {0.05 + width, 0.03 + height, 0}}, 2, grid);
+            shape_particles(Box{{0.05, 0.03, 0}, {0.05 + width, 0.03 + height, 0}}, 2, grid, 2);
         EXPECT_NEAR(area(particles), width * height, 1e-14);
     }
 }
 
 TEST(BoxParticles, FillTheBoxFromItsOwnCorner) {
-    const ShapeParticles particles = shape_particles(Box{{0.03, 0.04, 0}, {0.18, 0.09, 0}}, 2, grid);
+    const ShapeParticles particles = shape_particles(Box{{0.03, 0.04, 0}, {0.18, 0.09, 0}}, 2, grid, 2);
     ASSERT_EQ(particles.position.size(), 3u);
     EXPECT_NEAR(particles.half_size[0], 0.025, 1e-15);
     EXPECT_NEAR(particles.position[0][0], 0.055, 1e-15);
@@ -50,13 +50,13 @@ TEST(BoxParticles, FillTheBoxFromItsOwnCorner) {
 
 TEST(BoxParticles, FollowTheCellThatDividesTheGrid) {
     const GridSpec uneven{{0.3, 0.3, 0}, {0, 0, 0}, {1, 1, 0}}; // 3 cells of 1/3
-    EXPECT_EQ(shape_particles(Box{{0, 0, 0}, {1, 1, 0}}, 2, uneven).position.size(), 36u);
+    EXPECT_EQ(shape_particles(Box{{0, 0, 0}, {1, 1, 0}}, 2, uneven, 2).position.size(), 36u);
 }
 
 TEST(DiskParticles, AreaConverges) {
     double previous = 1;
     for (const int per_cell : {2, 8, 32}) {
-        const ShapeParticles particles = shape_particles(Disk{{0.513, -0.271, 0}, 0.8}, per_cell, grid);
+        const ShapeParticles particles = shape_particles(Disk{{0.513, -0.271, 0}, 0.8}, per_cell, grid, 2);
         const double error = std::abs(area(particles) / (std::numbers::pi * 0.64) - 1);
         EXPECT_LT(error, 0.02 / per_cell);
         EXPECT_LT(error, previous);
@@ -68,7 +68,7 @@ TEST(DiskParticles, SymmetricAboutLatticePointsAndMidpoints) {
     for (const double offset : {0.0, 0.025, 0.05}) // a corner of particles; a centre of one
         for (const double radius : {0.05, 0.1, 0.25, 0.4, 0.125, 0.7}) {
             const Vector centre{0.3 + offset, 0.7 + offset, 0};
-            const ShapeParticles particles = shape_particles(Disk{centre, radius}, 2, grid);
+            const ShapeParticles particles = shape_particles(Disk{centre, radius}, 2, grid, 2);
             const auto all = rounded(particles, centre, 1, 1);
             EXPECT_EQ(all.size(), particles.position.size());
             EXPECT_EQ(all, rounded(particles, centre, -1, 1)) << offset << " " << radius;
@@ -78,16 +78,16 @@ TEST(DiskParticles, SymmetricAboutLatticePointsAndMidpoints) {
 
 TEST(DiskParticles, TakeCentresOnTheOutline) {
     // Centred on a particle, radius 5 particles: Gauss's circle problem, N(5) = 81.
-    EXPECT_EQ(shape_particles(Disk{{0.325, 0.725, 0}, 0.25}, 2, grid).position.size(), 81u);
+    EXPECT_EQ(shape_particles(Disk{{0.325, 0.725, 0}, 0.25}, 2, grid, 2).position.size(), 81u);
 }
 
 TEST(DiskParticles, TooSmallForAnyParticle) {
-    EXPECT_TRUE(shape_particles(Disk{{0.3, 0.7, 0}, 0.01}, 2, grid).position.empty());
+    EXPECT_TRUE(shape_particles(Disk{{0.3, 0.7, 0}, 0.01}, 2, grid, 2).position.empty());
 }
 
 TEST(EllipseParticles, ContainExactlyTheCentresInside) {
     const Ellipse ellipse{{0.4, 0.2, 0}, {0.9, 0.35}, 0.6};
-    const ShapeParticles particles = shape_particles(ellipse, 2, grid);
+    const ShapeParticles particles = shape_particles(ellipse, 2, grid, 2);
     std::size_t inside = 0;
     for (double x = -1 + 0.025; x < 3; x += 0.05)
         for (double y = -2 + 0.025; y < 2; y += 0.05) {
@@ -101,6 +101,6 @@ TEST(EllipseParticles, ContainExactlyTheCentresInside) {
 
 TEST(EllipseParticles, TurnedByAQuarterIsTheSameTheOtherWayRound) {
     const Ellipse flat{{0.4, 0.2, 0}, {0.6, 0.2}, 0}, upright{{0.4, 0.2, 0}, {0.2, 0.6}, std::numbers::pi / 2};
-    EXPECT_EQ(rounded(shape_particles(flat, 2, grid), flat.center, 1, 1),
-              rounded(shape_particles(upright, 2, grid), flat.center, 1, 1));
+    EXPECT_EQ(rounded(shape_particles(flat, 2, grid, 2), flat.center, 1, 1),
+              rounded(shape_particles(upright, 2, grid, 2), flat.center, 1, 1));
 }

@@ -192,11 +192,14 @@ inline std::string message_of(const std::function<void()>& act) {
     return {};
 }
 
-/// A square grid of `cells` × `cells` cells of size 1 m from the origin.
-inline abut::Scene unit_scene(int cells) {
+/// A square or cubic grid of `cells` cells of size 1 m per axis from the origin.
+inline abut::Scene unit_scene(int cells, std::size_t dimension = 2) {
     abut::Scene scene;
-    scene.grid.cell = {1, 1, 0};
-    scene.grid.upper = {static_cast<double>(cells), static_cast<double>(cells), 0};
+    if (dimension == 3) scene.analysis = abut::Analysis::three_d;
+    for (std::size_t axis = 0; axis < dimension; ++axis) {
+        scene.grid.cell[axis] = 1;
+        scene.grid.upper[axis] = cells;
+    }
     scene.materials.push_back({"steel", abut::MaterialModel::neo_hookean, 7800, 160e9, 80e9});
     scene.materials.push_back({"glass", abut::MaterialModel::neo_hookean, 2500, 40e9, 30e9});
     return scene;

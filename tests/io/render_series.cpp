@@ -4,13 +4,11 @@
 #include "io/results/pvd.h"
 #include "io/results/write_frame.h"
 #include "io/results/write_text.h"
+#include "render_support.h"
 #include "results_support.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
 
 namespace abut::test {
 namespace {
@@ -77,31 +75,6 @@ fs::path write_series(const TemporaryFolder& folder, int frames = 2, bool with_h
     }
     return results;
 }
-
-struct Image {
-    vtkNew<vtkPNGReader> reader;
-    explicit Image(const fs::path& path) {
-        reader->SetFileName(path.c_str());
-        reader->Update();
-    }
-    int width() const { return reader->GetOutput()->GetDimensions()[0]; }
-    int height() const { return reader->GetOutput()->GetDimensions()[1]; }
-    /// y upwards, as in ours.
-    Rgb at(const Pixel& p) const {
-        const auto* bytes = static_cast<const std::uint8_t*>(
-            reader->GetOutput()->GetScalarPointer(static_cast<int>(p[0]), static_cast<int>(p[1]), 0));
-        return {bytes[0], bytes[1], bytes[2]};
-    }
-    bool is_white_at_the_edges() const { // nothing is clipped
-        for (int x = 0; x < width(); ++x)
-            for (const int y : {0, height() - 1})
-                if (at({double(x), double(y)}) != Rgb{255, 255, 255}) return false;
-        for (int y = 0; y < height(); ++y)
-            for (const int x : {0, width() - 1})
-                if (at({double(x), double(y)}) != Rgb{255, 255, 255}) return false;
-        return true;
-    }
-};
 
 double legend_width() {
     const std::vector<LegendItem> legend{{"left", {}}, {"right", {}}};

@@ -146,6 +146,36 @@ TEST(WriteFrame, GridReadsBackExactly) {
     EXPECT_EQ(std::get<0>(back.arrays[1].values), velocity);
 }
 
+TEST(WriteFrame, SpaceReadsBackExactly) {
+    TemporaryFolder folder;
+    GridFrame grid;
+    grid.nodes = {2, 3, 4};
+    grid.origin = {-1, 2, 0.25};
+    grid.spacing = {0.1, 0.2, 0.3};
+    std::vector<double> velocity(3 * 24);
+    for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = 1.0 / (1.0 + static_cast<double>(i));
+    grid.arrays = {{"velocity", 3, velocity}};
+    write_grid(folder / "g.vti", grid);
+    const auto data = read<vtkXMLImageDataReader>(folder / "g.vti");
+    EXPECT_EQ(data->GetDataDimension(), 3);
+    EXPECT_EQ(data->GetNumberOfCells(), 1 * 2 * 3);
+    expect_values(data->GetPointData()->GetArray("velocity"), velocity, 3, VTK_DOUBLE);
+    const vtkIdType node = data->FindPoint(-0.9, 2.4, 0.25 + 0.9); // the last one: x runs fastest
+    EXPECT_EQ(node, 23);
+    const GridFrame back = read_grid(folder / "g.vti");
+    EXPECT_EQ(back.nodes, grid.nodes);
+    EXPECT_EQ(back.origin, grid.origin);
+    EXPECT_EQ(back.arrays[0].values, grid.arrays[0].values);
+
+    PointFrame frame = sample_frame(2);
+    const std::vector<double> stress{1, 2, 3, 4, 5, 6, -1, -2, -3, -4, -5, -6}; // xx yy zz xy yz xz
+    frame.arrays = {{"stress", 6, stress}};
+    write_particles(folder / "p.vtu", frame);
+    const auto points = read<vtkXMLUnstructuredGridReader>(folder / "p.vtu");
+    expect_values(points->GetPointData()->GetArray("stress"), stress, 6, VTK_DOUBLE);
+    EXPECT_EQ(read_points(folder / "p.vtu").arrays.at(0).values, frame.arrays[0].values);
+}
+
 TEST(WriteFrame, ReadPointsInvertsWriting) {
     TemporaryFolder folder;
     const PointFrame frame = sample_frame(50);

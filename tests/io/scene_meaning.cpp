@@ -113,7 +113,7 @@ TEST(SceneMeaning, ScenesThatNoFileMade) {
     scene.time.cfl = 2;
     scene.materials[0].density = 0;
     scene.bodies[1].shape = Disk{{0.5e-3, 1e-3, 0}, 0};
-    scene.boundaries[0].wall.axis = 2;
+    std::get<WallSpec>(scene.boundaries[0].condition).axis = 2;
     scene.boundaries.pop_back();
     scene.grid.cell = {0, 1e-5, 0};
     EXPECT_THAT(validate(scene),

@@ -13,7 +13,7 @@ TEST(SceneOverrides, ReplaceValues) {
     EXPECT_EQ(scene.method.transfer.order, 4);
     EXPECT_EQ(scene.contact->normal, NormalMethod::average_gradient);
     EXPECT_EQ(scene.materials[1].density, 8000);
-    EXPECT_EQ(scene.bodies[0].velocity, (Vector{8, -2, 0}));
+    EXPECT_EQ(scene.bodies[0].velocity.value, (Vector{8, -2, 0}));
     EXPECT_EQ(scene.gravity, (Vector{0, 1, 0}));
     EXPECT_EQ(scene.title, "a=b");
 }
@@ -36,6 +36,37 @@ TEST(SceneOverrides, MakeWhatIsMissing) {
             .scene.materials[2]
             .density,
         600);
+}
+
+TEST(SceneOverrides, VectorsOfThreeComponents) {
+    const std::string no_gravity = [] {
+        Json scene = parsed(example_3d);
+        scene.erase("gravity");
+        return scene.dump();
+    }();
+    EXPECT_EQ(load(no_gravity, {"/gravity/2=-3"}).scene.gravity, (Vector{0, 0, -3}));
+    EXPECT_EQ(load(example_3d, {"/bodies/0/velocity_gradient/2/0=7 1/s"}).scene.bodies[0].velocity.gradient[2],
+              (Vector{7, 0, 3}));
+}
+
+TEST(SceneOverrides, FunctionsOfTime) {
+    const auto wall = [](const std::vector<std::string>& overrides) {
+        return std::get<WallSpec>(load(example_3d, overrides).scene.boundaries[0].condition);
+    };
+    EXPECT_EQ(wall({"/boundaries/0/wall/velocity/values/1=1 mm/s"}).velocity.value, (std::vector{0.0, 1e-3, 0.0}));
+    EXPECT_EQ(wall({"/boundaries/0/wall/velocity=-1e-3"}).velocity.value, (std::vector{-1e-3}));
+    const auto traction = [](const std::vector<std::string>& overrides) {
+        return std::get<TractionSpec>(load(example_3d, overrides).scene.boundaries[2].condition);
+    };
+    EXPECT_EQ(traction({"/boundaries/2/traction/stress/1/pulse/start=1 ms"}).traction[1].time.front(), 1e-3);
+    EXPECT_EQ(traction({"/boundaries/2/traction/stress/0=5 kPa"}).traction[0].value, (std::vector{5e3}));
+    EXPECT_THAT(problems_of(example_3d, {"/boundaries/0/wall/velocity/vales/1=1"}),
+                ElementsAre(IsProblem("/boundaries/0/wall/velocity/vales/1",
+                                      "a function of time has no \"vales\"; did you mean \"values\"?")));
+    EXPECT_THAT(problems_of(example_3d, {"/boundaries/0/wall/velocity/values/3=1"}),
+                ElementsAre(IsProblem("/boundaries/0/wall/velocity/values/3", "it has entries 0 to 2")));
+    EXPECT_THAT(problems_of(example, {"/boundaries/0/wall/velocity/values=1"}),
+                ElementsAre(IsProblem("/boundaries/0/wall/velocity/values", "is a single value")));
 }
 
 TEST(SceneOverrides, NullRemoves) {

@@ -10,24 +10,54 @@ std::ostream& operator<<(std::ostream& out, const Vector& vector) {
     return out << vector[0] << ' ' << vector[1] << ' ' << vector[2];
 }
 
-std::string describe(const std::variant<Box, Disk, Ellipse>& shape) {
+std::ostream& operator<<(std::ostream& out, const TimeFunction& function) {
+    for (std::size_t i = 0; i < function.time.size(); ++i) out << function.time[i] << ':' << function.value[i] << ' ';
+    return out;
+}
+
+std::string describe(const ShapeSpec& shape) {
     std::ostringstream out;
     out << std::hexfloat;
     if (const Box* box = std::get_if<Box>(&shape)) out << "box " << box->lower << ' ' << box->upper;
     if (const Disk* disk = std::get_if<Disk>(&shape)) out << "disk " << disk->center << ' ' << disk->radius;
+    if (const Ball* ball = std::get_if<Ball>(&shape)) out << "ball " << ball->center << ' ' << ball->radius;
     if (const Ellipse* ellipse = std::get_if<Ellipse>(&shape))
         out << "ellipse " << ellipse->center << ' ' << ellipse->semi_axes[0] << ' ' << ellipse->semi_axes[1] << ' '
             << ellipse->angle;
     return out.str();
 }
 
+std::ostream& operator<<(std::ostream& out, const InitialVelocity& velocity) {
+    out << velocity.value << ' ' << velocity.center;
+    for (const Vector& row : velocity.gradient) out << ' ' << row;
+    return out;
+}
+
+std::ostream& operator<<(std::ostream& out, const WallSpec& wall) {
+    return out << "wall " << wall.axis << int(wall.side) << ' ' << wall.position << ' ' << wall.velocity << ' '
+               << wall.depth << ' ' << wall.gradient << wall.estimated_gradient << wall.grip;
+}
+
+std::ostream& operator<<(std::ostream& out, const VelocitySpec& velocity) {
+    return out << "velocity " << velocity.lower << velocity.upper << velocity.direction << velocity.velocity;
+}
+
+std::ostream& operator<<(std::ostream& out, const TractionSpec& traction) {
+    out << "traction " << traction.body << traction.axis << int(traction.side) << ' ' << traction.pressure;
+    if (traction.within) out << traction.within->lower << traction.within->upper;
+    for (const TimeFunction& component : traction.traction) out << component;
+    return out;
+}
+
 /// Every member of a scene with all its bits.
 std::string describe(const Scene& s) {
     std::ostringstream out;
-    out << std::hexfloat << s.title << '|' << s.thickness << '|' << s.grid.cell << ' ' << s.grid.lower << ' '
-        << s.grid.upper << '|' << s.time.end << ' ' << s.time.cfl << ' ' << s.time.step.value_or(-1) << '|'
-        << int(s.method.shape) << int(s.method.transfer.scheme) << s.method.transfer.order
-        << int(s.method.stress_update) << '\n';
+    out << std::hexfloat << s.title << '|' << int(s.analysis) << s.thickness << '|' << s.grid.cell << ' '
+        << s.grid.lower << ' ' << s.grid.upper << '|' << s.time.end << ' ' << s.time.cfl << ' '
+        << s.time.step.value_or(-1) << '|' << int(s.method.shape) << int(s.method.transfer.scheme)
+        << s.method.transfer.order << ' ' << int(s.method.transfer.position.value_or(PositionUpdate(9))) << ' '
+        << s.method.transfer.every_cfl.value_or(-1) << int(s.method.stress_update) << int(s.method.velocity_conditions)
+        << '\n';
     for (const MaterialSpec& m : s.materials)
         out << m.name << ' ' << int(m.model) << ' ' << m.density << ' ' << m.bulk_modulus << ' ' << m.shear_modulus
             << '\n';
@@ -47,9 +77,10 @@ std::string describe(const Scene& s) {
         for (const PairLawSpec& p : s.contact->laws)
             out << p.bodies[0] << p.bodies[1] << int(p.law.type) << p.law.coefficient << '\n';
     }
-    for (const BoundarySpec& b : s.boundaries)
-        out << b.name << b.wall.axis << int(b.wall.side) << ' ' << b.wall.position << ' ' << b.wall.velocity << ' '
-            << b.wall.depth << ' ' << b.wall.gradient << b.wall.grip << '\n';
+    for (const BoundarySpec& b : s.boundaries) {
+        out << b.name << ' ';
+        std::visit([&out](const auto& condition) { out << condition << '\n'; }, b.condition);
+    }
     out << s.gravity << '|' << s.output.every << ' ' << s.output.history_every.value_or(-1) << s.output.particles
         << s.output.grid << s.output.contact;
     return out.str();
@@ -79,7 +110,7 @@ TEST(ReadScene, ExampleOfTheContract) {
 
     ASSERT_EQ(scene.bodies.size(), 3U);
     EXPECT_EQ(std::get<Box>(scene.bodies[0].shape).upper, (Vector{1e-3, 0.5e-3, 0}));
-    EXPECT_EQ(scene.bodies[0].velocity, (Vector{8, 0, 0}));
+    EXPECT_EQ(scene.bodies[0].velocity, (InitialVelocity{{8, 0, 0}}));
     EXPECT_EQ(scene.bodies[0].particles_per_cell, 2);
     EXPECT_EQ(std::get<Disk>(scene.bodies[1].shape).radius, 0.25e-3);
     EXPECT_EQ(std::get<Ellipse>(scene.bodies[2].shape).angle, std::numbers::pi / 6);
@@ -116,11 +147,14 @@ TEST(ReadScene, ExampleOfTheContractContinued) {
 
     ASSERT_EQ(scene.boundaries.size(), 2U);
     EXPECT_EQ(scene.boundaries[1].name, "piston");
-    EXPECT_EQ(scene.boundaries[1].wall.axis, 1);
-    EXPECT_EQ(scene.boundaries[1].wall.side, Side::upper);
-    EXPECT_EQ(scene.boundaries[1].wall.velocity, -100);
-    EXPECT_EQ(scene.boundaries[1].wall.gradient, 3);
-    EXPECT_FALSE(scene.boundaries[1].wall.grip);
+    const WallSpec& piston = std::get<WallSpec>(scene.boundaries[1].condition);
+    EXPECT_EQ(piston.axis, 1);
+    EXPECT_EQ(piston.side, Side::upper);
+    EXPECT_EQ(piston.velocity.at(0), -100);
+    EXPECT_TRUE(piston.velocity.is_constant());
+    EXPECT_EQ(piston.gradient.at(0), 3);
+    EXPECT_FALSE(piston.estimated_gradient);
+    EXPECT_FALSE(piston.grip);
     EXPECT_EQ(scene.gravity, (Vector{0, -9.81, 0}));
     EXPECT_EQ(scene.output.every, 0.5e-6);
     EXPECT_EQ(scene.output.history_every, 10e-9);
@@ -148,7 +182,8 @@ TEST(ReadScene, DefaultsAreThoseOfSceneH) {
 }
 
 TEST(ReadScene, ResolvedSceneIsTheSameScene) {
-    for (const std::string& text : {example, smallest, changed("/time", R"({"end": "15 us", "step": "1 ns"})")}) {
+    for (const std::string& text : {example, smallest, example_3d, example_axisymmetric,
+                                    changed("/time", R"({"end": "15 us", "step": "1 ns"})")}) {
         const SceneOnDisk disk(text);
         const LoadedScene loaded = load_scene(disk.file());
         const LoadedScene again = load(loaded.resolved); // in another folder

@@ -68,6 +68,8 @@ TEST(SceneStructure, Ranges) {
         {"/time/cfl", "1.5", "/time/cfl", "between 0 and 1 (0 excluded), not 1.5"},
         {"/time/cfl", "0", "/time/cfl", "between 0 and 1"},
         {"/method/transfer/order", "0", "/method/transfer/order", "between 1 and 100, not 0"},
+        {"/method/transfer/order", "101", "/method/transfer/order", "beyond about 16, round-off and cost outweigh"},
+        {"/method/transfer/every_cfl", "0", "/method/transfer/every_cfl", "greater than 0, not 0"},
         {"/contact/corrections", "3", "/contact/corrections", "between 1 and 2, not 3"},
         {"/contact/law/coefficient", "-0.1", "/contact/law/coefficient", "at least 0, not -0.1"},
         {"/images/0/legend/0/grey", "256", "/images/0/legend/0/grey", "between 0 and 255, not 256"},
@@ -79,6 +81,10 @@ TEST(SceneStructure, Ranges) {
 
 TEST(SceneStructure, Words) {
     expect_problems({
+        {"/analysis", R"("3D")", "/analysis", "unknown word \"3D\"; did you mean \"3d\"?"},
+        {"/method/velocity_conditions", R"("combine")", "/method/velocity_conditions", "did you mean \"combined\"?"},
+        {"/boundaries/1/wall/gradient", R"("estimate")", "/boundaries/1/wall/gradient",
+         "unknown word \"estimate\"; did you mean \"estimated\"?"},
         {"/method/shape", R"("cdpi")", "/method/shape", "unknown word \"cdpi\"; did you mean \"cpdi\"?"},
         {"/contact/normal", R"("logistic")", "/contact/normal", "did you mean \"logistic-regression\"?"},
         {"/boundaries/0/wall/axis", R"("z")", "/boundaries/0/wall/axis", "plane scenes have the axes x and y"},
@@ -90,18 +96,10 @@ TEST(SceneStructure, Words) {
 TEST(SceneStructure, NotInThisVersion) {
     const std::string not_available = "not available in this version";
     expect_problems({
-        {"/analysis", R"("3d")", "/analysis",
-         "\"3d\" is not available in this version of abut; available: \"plane-strain\""},
-        {"/analysis", R"("axisymmetric")", "/analysis", not_available},
-        {"/method/shape", R"("gimp")", "/method/shape", "available: \"linear\", \"ugimp\" and \"cpdi\""},
-        {"/method/transfer/scheme", R"("fmpm")", "/method/transfer/scheme", not_available},
-        {"/method/transfer/every_cfl", "1", "/method/transfer/every_cfl", not_available},
-        {"/method/stress_update", R"("usl+")", "/method/stress_update", not_available},
         {"/contact/normal", R"("specified")", "/contact/normal", not_available},
         {"/contact/direction", "[1, 0]", "/contact/direction", not_available},
         {"/contact/separation", R"("displacement")", "/contact/separation", not_available},
         {"/contact/laws/0/law/type", R"("linear-interface")", "/contact/laws/0/law/type", not_available},
-        {"/boundaries/1/wall/gradient", R"("estimated")", "/boundaries/1/wall/gradient", not_available},
         {"/output/checkpoint_every", R"("2 us")", "/output/checkpoint_every", not_available},
     });
 }
@@ -110,7 +108,8 @@ TEST(SceneStructure, KeysThatGoTogether) {
     expect_problems({
         {"/time/step", "1e-9", "/time",
          "at most one of \"cfl\" and \"step\" is allowed; here are \"cfl\" and \"step\""},
-        {"/bodies/1/disk", "", "/bodies/1", "exactly one of \"box\", \"disk\" and \"ellipse\" is needed; here is none"},
+        {"/bodies/1/disk", "", "/bodies/1",
+         "exactly one of \"box\", \"disk\", \"ellipse\" and \"ball\" is needed; here is none"},
         {"/bodies/1/box", R"({"lower": [0, 0], "upper": [1, 1]})", "/bodies/1", "here are \"box\" and \"disk\""},
         {"/images/0/size", "[1, 1]", "/images/0", "exactly one of \"pixel\" and \"size\" is allowed"},
         {"/images/0/pixel", "", "/images/0", "exactly one of \"pixel\" and \"size\" is needed; here is none"},
@@ -120,7 +119,18 @@ TEST(SceneStructure, KeysThatGoTogether) {
         {"/materials/steel/bulk_modulus", "1", "/materials/steel",
          "allowed; here are \"bulk_modulus\", \"youngs_modulus\" and \"poissons_ratio\""},
         {"/method/transfer/scheme", R"("flip")", "/method/transfer/order",
-         "only goes with \"scheme\": \"xpic\"; here it is \"flip\""},
+         "only goes with \"scheme\": \"xpic\" or \"fmpm\"; here it is \"flip\""},
+        {"/method/transfer", R"({"position": "end-velocity"})", "/method/transfer/position",
+         "only goes with \"scheme\": \"pic\", \"xpic\" or \"fmpm\"; here it is \"flip\""},
+        {"/method/transfer", R"({"every_cfl": 1})", "/method/transfer/every_cfl", "here it is \"flip\""},
+        {"/bodies/0/velocity_center", "[0, 0]", "/bodies/0/velocity_center",
+         "only goes with \"velocity_gradient\", which is not given"},
+        {"/boundaries/0/wall", "", "/boundaries/0",
+         "exactly one of \"wall\", \"velocity\" and \"traction\" is needed; here is none"},
+        {"/boundaries/0/traction", R"({"body": "block", "axis": "x", "side": "lower", "pressure": 1})", "/boundaries/0",
+         "here are \"wall\" and \"traction\""},
+        {"/boundaries/0", R"({"name": "a", "traction": {"body": "block", "axis": "x", "side": "lower"}})",
+         "/boundaries/0/traction", "exactly one of \"stress\" and \"pressure\" is needed; here is none"},
         {"/method/transfer/scheme", "", "/method/transfer/order", "here it is \"flip\""},
         {"/contact/separation", R"("none")", "/contact/offset", "only goes with \"separation\": \"critical-position\""},
         {"/contact/exponent", "0.5", "/contact/exponent", "only goes with \"separation\": \"fitted-position\""},
@@ -135,7 +145,7 @@ TEST(SceneStructure, AllProblemsAtOnce) {
     scene["thickness"] = "3 s";
     scene["grid"].erase("lower");
     scene["time"]["stepp"] = 1;
-    scene["method"]["shape"] = "gimp";
+    scene["contact"]["normal"] = "own-gradient";
     scene["materials"]["steel"]["density"] = "3 mm";
     scene["bodies"][0]["material"] = "aluminum"; // a name that fits nothing, found beside the others
     scene["bodies"][1] = 3;
@@ -144,7 +154,7 @@ TEST(SceneStructure, AllProblemsAtOnce) {
     EXPECT_THAT(problems_of(scene.dump()),
                 testing::UnorderedElementsAre(
                     IsProblem("/thickness", "a length (m) is needed"), IsProblem("/grid/lower", "missing"),
-                    IsProblem("/time/stepp", "did you mean \"step\"?"), IsProblem("/method/shape", "not available"),
+                    IsProblem("/time/stepp", "did you mean \"step\"?"), IsProblem("/contact/normal", "not available"),
                     IsProblem("/materials/steel/density", "3 mm is a length"),
                     IsProblem("/bodies/0/material", "no material \"aluminum\"; did you mean \"aluminium\"?"),
                     IsProblem("/bodies/1", "an object { } is needed, not 3"),

@@ -69,6 +69,54 @@ inline const std::string example = R"({
   "output": { "every": "0.5 us", "history_every": "10 ns", "contact": true }
 })";
 
+/// A 3d scene with what the other example does not use.
+inline const std::string example_3d = R"({
+  "analysis": "3d",
+  "grid": { "cell": "5 mm", "lower": [0, 0, "-5 cm"], "upper": ["10 cm", "10 cm", "5 cm"] },
+  "time": { "end": "10 ms", "cfl": 0.3 },
+  "method": {
+    "shape": "b2gimp",
+    "transfer": { "scheme": "fmpm", "order": 4, "position": "mean-velocity", "every_cfl": 0.6 },
+    "stress_update": "usavg+",
+    "velocity_conditions": "lumped"
+  },
+  "materials": { "clay": { "model": "linear-elastic", "density": 1500, "youngs_modulus": "1 MPa",
+                           "poissons_ratio": 0.3 } },
+  "bodies": [
+    { "name": "brick", "material": "clay", "box": { "lower": [0, 0, 0], "upper": ["5 cm", "6 cm", "4 cm"] },
+      "velocity": [0, 0, "1 mm/s"], "velocity_gradient": [[0, "-2 1/s", 0], [2, 0, 0], [0, 0, "3 Hz"]],
+      "velocity_center": ["2.5 cm", "3 cm", 0] },
+    { "name": "ball", "material": "clay", "ball": { "center": ["7 cm", "7 cm", 0], "radius": "2 cm" } }
+  ],
+  "boundaries": [
+    { "name": "lid", "wall": { "axis": "z", "side": "upper", "position": "4 cm", "gradient": "estimated",
+                               "velocity": { "times": [0, "2 ms", "5 ms"], "values": [0, "-1 mm/s", 0] } } },
+    { "name": "pin", "velocity": { "lower": [0, 0, 0], "upper": ["1 cm", 0, 0], "direction": [1, 0, -2],
+                                   "value": "2 mm/s" } },
+    { "name": "load", "traction": { "body": "brick", "axis": "x", "side": "upper",
+                                    "within": { "lower": [0, 0, 0], "upper": ["5 cm", "6 cm", "2 cm"] },
+                                    "stress": [0, { "pulse": { "width": "4 ms", "peak": "10 kPa" } }, "-2 kPa"] } },
+    { "name": "push", "traction": { "body": "ball", "axis": "y", "side": "lower",
+                                    "pressure": { "times": [0, 1], "values": ["1 kPa", 0] } } }
+  ],
+  "gravity": [0, 0, "-9.81 m/s^2"]
+})";
+
+/// A small axisymmetric scene.
+inline const std::string example_axisymmetric = R"({
+  "analysis": "axisymmetric",
+  "grid": { "cell": ["1 mm", "2 mm"], "lower": [0, 0], "upper": ["20 mm", "20 mm"] },
+  "time": { "end": "1 ms" },
+  "method": { "shape": "gimp", "transfer": { "scheme": "pic", "position": "mean-velocity" }, "stress_update": "usl+" },
+  "materials": { "rubber": { "model": "neo-hookean", "density": 1000, "bulk_modulus": 1e6, "shear_modulus": 0 } },
+  "bodies": [ { "name": "can", "material": "rubber", "box": { "lower": [0, 0], "upper": ["10 mm", "10 mm"] },
+                "velocity_gradient": [[1, 0], [0, -2]] } ],
+  "boundaries": [
+    { "name": "mantle", "wall": { "axis": "x", "side": "upper", "position": "10 mm",
+                                  "gradient": { "pulse": { "start": "1 us", "width": "2 us", "peak": "5 1/s" } } } }
+  ]
+})";
+
 /// A scene file in a folder of its own that goes away with it.
 class SceneOnDisk {
 public:
@@ -108,9 +156,9 @@ inline Json parsed(const std::string& text) {
     return Json::parse(text, nullptr, true, true);
 }
 
-/// The example with the value at a pointer replaced or added; an empty value removes it.
-inline std::string changed(const std::string& pointer, const std::string& value) {
-    Json scene = parsed(example);
+/// A scene, if not the example, with the value at a pointer replaced or added; an empty value removes it.
+inline std::string changed(const std::string& pointer, const std::string& value, const std::string& from = example) {
+    Json scene = parsed(from);
     const Json::json_pointer at(pointer);
     if (value.empty()) {
         Json& parent = scene.at(at.parent_pointer());
@@ -137,15 +185,15 @@ MATCHER_P2(IsProblem, pointer, fragment, "") {
     return arg.pointer == pointer && arg.message.find(fragment) != std::string::npos;
 }
 
-/// One change of the example and the one problem it must bring.
+/// One change of a scene and the one problem it must bring.
 struct Case {
     std::string pointer, value; ///< see changed()
     std::string at, fragment;   ///< the problem
 };
 
-inline void expect_problems(const std::vector<Case>& cases) {
+inline void expect_problems(const std::vector<Case>& cases, const std::string& from = example) {
     for (const Case& one : cases) {
-        const std::vector<Problem> problems = problems_of(changed(one.pointer, one.value));
+        const std::vector<Problem> problems = problems_of(changed(one.pointer, one.value, from));
         EXPECT_THAT(problems, testing::ElementsAre(IsProblem(one.at, one.fragment)))
             << "after " << one.pointer << " = " << one.value << "\n"
             << in_lines(problems);

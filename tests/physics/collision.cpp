@@ -162,4 +162,28 @@ TEST(Collision, OfBodiesOfVeryDifferentMass) {
     EXPECT_NEAR(coarse, fine, 0.05);
 }
 
+TEST(Collision, FmpmGainsNoEnergyInContact) {
+    for (const int k : {2, 4, 8}) {
+        TransferSpec fmpm{TransferScheme::fmpm, k, {}, {}};
+        Scene scene = plane_scene(0.125, -4, -3, 4, 3, material(1, 8, 4));
+        scene.method.transfer = fmpm;
+        scene.contact = contact(LawType::frictionless);
+        Model model;
+        add_disk(model, add_body(model, "left", {0.1, 0, 0}), -1.25, 0, 1, 0.0625);
+        add_disk(model, add_body(model, "right", {-0.1, 0, 0}), 1.25, 0, 1, 0.0625);
+        State<2> state = make_state<2>(scene, model);
+        prepare(state);
+        const double before = totals(state).kinetic_energy;
+        double largest = 0;
+        const auto energy = [&] {
+            const Totals all = totals(state);
+            return (all.kinetic_energy + all.strain_energy) / before;
+        };
+        run(state, 12, [&] { largest = std::max(largest, energy()); });
+        std::printf("[ figures  ] head-on, FMPM(%d): largest energy %.4f, at the end %.4f of the first\n", k, largest,
+                    energy());
+        EXPECT_LT(largest, 1.02);
+    }
+}
+
 } // namespace

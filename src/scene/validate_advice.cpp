@@ -1,0 +1,44 @@
+#include "scene/validate.h"
+
+#include <string>
+
+namespace abut {
+
+namespace {
+
+using Problems = std::vector<Problem>;
+
+void advise_walls(const Scene& scene, Problems& advice) {
+    const ShapeKind shape = scene.method.shape;
+    const bool splines = shape == ShapeKind::b2spline || shape == ShapeKind::b2gimp || shape == ShapeKind::b2cpdi;
+    for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {
+        const auto* wall = std::get_if<WallSpec>(&scene.boundaries[i].condition);
+        if (!wall) continue;
+        if (splines && wall->grip && !wall->velocity.is_zero() && wall->depth < 1.5)
+            advice.push_back({"/boundaries/" + std::to_string(i) + "/wall/depth",
+                              "quadratic splines reach farther than other shapes, and a wall of less than 1.5 cells "
+                              "may lose the body that it moves; use depth 1.5 (FMPM paper, section 3.4)"});
+    }
+}
+
+} // namespace
+
+Problems advice(const Scene& scene) {
+    Problems advice;
+    const MethodSpec& method = scene.method;
+    if (method.shape == ShapeKind::linear && method.stress_update == StressUpdate::usl)
+        advice.push_back({"/method/shape",
+                          "linear shape functions with stress_update \"usl\" are unstable where particles "
+                          "cross cells: nodes come to see next to no mass; use \"usf\", or \"ugimp\" "
+                          "or \"cpdi\""});
+    if (method.shape == ShapeKind::linear && method.transfer.scheme == TransferScheme::fmpm &&
+        method.transfer.order > 1)
+        advice.push_back({"/method/transfer/scheme",
+                          "linear shape functions and \"fmpm\" don't go together: what the full mass matrix gives "
+                          "nodes with next to no mass is mostly noise (the two-block impact loses ten times the energy "
+                          "of other shapes); use \"b2spline\", which costs as little, or \"ugimp\""});
+    advise_walls(scene, advice);
+    return advice;
+}
+
+} // namespace abut

@@ -1,0 +1,147 @@
+#include "scene/validate_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+
+namespace abut {
+
+namespace {
+
+using Problems = std::vector<Problem>;
+
+std::string metres(double value) {
+    return with_unit(value, "m");
+}
+
+/// Adds one problem for each side of the grid's box over which [lower, upper] reaches.
+void check_inside(const Vector& lower, const Vector& upper, const Scene& scene, const std::string& pointer,
+                  Problems& problems) {
+    const GridSpec& grid = scene.grid;
+    for (std::size_t axis = 0; axis < axes(scene); ++axis) {
+        const double tolerance = place_rounding * (grid.upper[axis] - grid.lower[axis]);
+        const std::string name = axis_names[axis];
+        demand(lower[axis] >= grid.lower[axis] - tolerance, pointer,
+               "reaches out of the grid: down to " + name + " = " + metres(lower[axis]) + ", the grid begins at " +
+                   metres(grid.lower[axis]),
+               problems);
+        demand(upper[axis] <= grid.upper[axis] + tolerance, pointer,
+               "reaches out of the grid: up to " + name + " = " + metres(upper[axis]) + ", the grid ends at " +
+                   metres(grid.upper[axis]),
+               problems);
+    }
+}
+
+void check_larger_than_cell(double extent, double cell, const std::string& what, const std::string& pointer,
+                            Problems& problems) {
+    demand(extent >= cell * (1 - place_rounding), pointer,
+           "cell larger than the body: " + what + " is " + metres(extent) + ", a cell " + metres(cell), problems);
+}
+
+/// The checks of one body; one overload for each shape.
+struct BodyCheck {
+    const Scene& scene;
+    const std::string pointer;
+    Problems& problems;
+
+    void operator()(const Box& box) const {
+        for (std::size_t axis = 0; axis < axes(scene); ++axis) {
+            const double edge = box.upper[axis] - box.lower[axis];
+            const std::string name = axis_names[axis];
+            demand(edge > 0, pointer + "/box/upper", "must lie above \"lower\" along " + name, problems);
+            if (edge > 0)
+                check_larger_than_cell(edge, scene.grid.cell[axis], "its edge along " + name, pointer + "/box",
+                                       problems);
+        }
+        check_inside(box.lower, box.upper, scene, pointer + "/box", problems);
+    }
+
+    void operator()(const Ball& ball) const {
+        if (scene.analysis != Analysis::three_d) {
+            problems.push_back({pointer + "/ball", "only 3d scenes have balls; a disk is the shape for this one"});
+            return;
+        }
+        if (!(ball.radius > 0)) {
+            problems.push_back({pointer + "/ball/radius", "must be greater than 0 m"});
+            return;
+        }
+        const double cell = *std::max_element(scene.grid.cell.begin(), scene.grid.cell.end());
+        check_larger_than_cell(2 * ball.radius, cell, "its diameter", pointer + "/ball", problems);
+        check_around(ball.center, {ball.radius, ball.radius, ball.radius}, "/ball");
+    }
+
+    void operator()(const Disk& disk) const {
+        check_round(disk.center, {disk.radius, disk.radius}, 0, "/disk", "radius", "its diameter");
+    }
+
+    void operator()(const Ellipse& ellipse) const {
+        check_round(ellipse.center, ellipse.semi_axes, ellipse.angle, "/ellipse", "semi_axes", "its smaller diameter");
+    }
+
+    void check_round(const Vector& center, const std::array<double, 2>& semi_axes, double angle,
+                     const std::string& shape, const std::string& size_key, const std::string& diameter) const {
+        if (scene.analysis == Analysis::three_d) {
+            problems.push_back({pointer + shape, "only plane scenes have this shape"});
+            return;
+        }
+        const auto [a, b] = semi_axes;
+        if (!(a > 0 && b > 0)) {
+            problems.push_back({pointer + shape + "/" + size_key, "must be greater than 0 m"});
+            return;
+        }
+        const double cell = std::max(scene.grid.cell[0], scene.grid.cell[1]);
+        check_larger_than_cell(2 * std::min(a, b), cell, diameter, pointer + shape, problems);
+        // Extents of x = c + a cosφ e₁ + b sinφ e₂: the largest x is √((a e₁x)² + (b e₂x)²) from the centre.
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        const Vector half{std::hypot(a * c, b * s), std::hypot(a * s, b * c), 0};
+        check_around(center, half, shape);
+    }
+
+    /// A shape that reaches by `half` to both sides of its centre.
+    void check_around(const Vector& center, const Vector& half, const std::string& shape) const {
+        Vector lower = center;
+        Vector upper = center;
+        for (std::size_t axis = 0; axis < axes(scene); ++axis) {
+            lower[axis] -= half[axis];
+            upper[axis] += half[axis];
+        }
+        check_inside(lower, upper, scene, pointer + shape, problems);
+    }
+};
+
+void check_images(const Scene& scene, Problems& problems) {
+    if (scene.analysis == Analysis::three_d && !scene.images.empty()) {
+        problems.push_back({"/images", "images make plane bodies; 3d scenes need bodies"});
+        return;
+    }
+    for (std::size_t i = 0; i < scene.images.size(); ++i) {
+        const ImageSpec& image = scene.images[i];
+        const std::string pointer = "/images/" + std::to_string(i);
+        demand(image.particles_per_cell >= 1, pointer + "/particles_per_cell", "must be at least 1", problems);
+        if (image.size[0] > 0 && image.size[1] > 0) {
+            const Vector upper{image.lower[0] + image.size[0], image.lower[1] + image.size[1], image.lower[2]};
+            check_inside(image.lower, upper, scene, pointer, problems);
+        } else {
+            demand(image.pixel[0] > 0 && image.pixel[1] > 0, pointer, "needs \"pixel\" or \"size\", greater than 0 m",
+                   problems);
+        }
+    }
+}
+
+} // namespace
+
+void validate_matter(const Scene& scene, Problems& problems) {
+    if (scene.bodies.empty() && scene.images.empty())
+        problems.push_back({"/bodies", "the scene is empty; it needs an entry in \"bodies\" or \"images\""});
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const std::string pointer = "/bodies/" + std::to_string(i);
+        std::visit(BodyCheck{scene, pointer, problems}, scene.bodies[i].shape);
+        demand(scene.bodies[i].particles_per_cell >= 1, pointer + "/particles_per_cell", "must be at least 1",
+               problems);
+    }
+    check_images(scene, problems);
+}
+
+} // namespace abut

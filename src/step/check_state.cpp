@@ -1,0 +1,121 @@
+#include "step/check_state.h"
+
+#include "plan/time_step.h"
+#include "step/step.h"
+#include "step/tasks.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace abut {
+
+namespace {
+
+using Problems = std::vector<Problem>;
+
+template <int D>
+void check_time_step(const State<D>& state, Problems& problems) {
+    const Scene& scene = state.scene;
+    const double stable = stable_step(state);
+    const auto add = [&](const char* pointer, double value, const char* unit, const std::string& what) {
+        std::ostringstream text;
+        text << value << unit << what;
+        problems.push_back({pointer, text.str()});
+    };
+    if (!scene.time.step) return;
+    std::ostringstream seconds;
+    seconds << stable << " s (" << cfl_limit(scene) << " cell / wave speed)";
+    if (*scene.time.step > stable)
+        add("/time/step", *scene.time.step, " s", " is above the stable step, " + seconds.str());
+    else if (state.effects.periodic && *scene.method.transfer.every_cfl * crossing_time(state) < *scene.time.step)
+        add("/method/transfer/every_cfl", *scene.method.transfer.every_cfl, "",
+            " is less than a time step: it is " + std::to_string(*scene.time.step / crossing_time(state)) +
+                " cell / wave speed");
+}
+
+/// Whether anything in the scene but the wall itself could bring material to a wall that doesn't reach any.
+template <int D>
+bool anything_moves(const State<D>& state, std::int32_t wall_number) {
+    const auto is_still = [](const InitialVelocity& v) { return v == InitialVelocity{{}, {}, v.center}; };
+    if (state.effects.gravity || state.effects.tractions) return true;
+    if (!std::all_of(state.bodies.begin(), state.bodies.end(),
+                     [&](const ModelBody& body) { return is_still(body.velocity); }))
+        return true;
+    return std::any_of(state.boundaries.begin(), state.boundaries.end(), [&](const Boundary& boundary) {
+        if (&boundary == &state.boundaries[wall_number]) return false; // see approaches()
+        const auto* wall = std::get_if<WallSpec>(&boundary.condition);
+        const auto* box = std::get_if<VelocitySpec>(&boundary.condition);
+        return (wall && !wall->velocity.is_zero()) || (box && !box->velocity.is_zero());
+    });
+}
+
+/// Whether a wall comes nearer to the material in front of it at some time.
+bool approaches(const WallSpec& wall) {
+    return wall.side == Side::lower ? wall.velocity.largest() > 0 : wall.velocity.smallest() < 0;
+}
+
+template <int D>
+void check_wall(const State<D>& state, const WallSpec& wall, std::int32_t number, Problems& problems) {
+    const std::string pointer = "/boundaries/" + std::to_string(number) + "/wall";
+    const double inward = wall.side == Side::lower ? 1 : -1;
+    const auto behind = [&](const Vec<D>& x) { return (x[wall.axis] - wall.position) * inward < 0; };
+    if (std::all_of(state.particles.position.begin(), state.particles.position.end(), behind)) {
+        problems.push_back({pointer + "/side", "all material lies behind the wall, and would move with it; side \"" +
+                                                   std::string(wall.side == Side::lower ? "upper" : "lower") +
+                                                   "\" is meant?"});
+        return;
+    }
+    const bool reaches = std::any_of(state.controls.begin(), state.controls.end(), [&](const Control& control) {
+        return control.boundary == number && state.nodes.velocity[control.slot][0] > 0;
+    });
+    if (!reaches && !approaches(wall) && !anything_moves(state, number))
+        problems.push_back({pointer,
+                            "the wall grips nothing: no material is within its depth, and nothing in the scene "
+                            "moves material or wall towards the other"});
+}
+
+} // namespace
+
+template <int D>
+std::vector<Problem> check_state(State<D>& state) {
+    Problems problems;
+    check_time_step(state, problems);
+    for (std::size_t b = 0; b < state.boundaries.size(); ++b) {
+        const auto* traction = std::get_if<TractionSpec>(&state.boundaries[b].condition);
+        const bool has_face = std::any_of(state.traction_faces.begin(), state.traction_faces.end(),
+                                          [&](const TractionFace& face) { return face.boundary == int(b); });
+        if (traction && !has_face)
+            problems.push_back({"/boundaries/" + std::to_string(b) + "/traction",
+                                "body \"" + traction->body + "\" has no such face" +
+                                    (traction->within ? " within the given box" : "")});
+    }
+    for (std::size_t b = 0; b < state.boundaries.size(); ++b) {
+        const auto* box = std::get_if<VelocitySpec>(&state.boundaries[b].condition);
+        if (!box) continue;
+        const Window<D> nodes = nodes_in(*box, state.grid);
+        for (int a = 0; a < D; ++a)
+            if (nodes.lower[a] > nodes.upper[a]) {
+                std::ostringstream text;
+                text << "the box holds no node: along "
+                     << "xyz"[a] << " nodes lie every " << state.grid.cell[a] << " m from " << state.grid.lower()[a]
+                     << " m";
+                problems.push_back({"/boundaries/" + std::to_string(b) + "/velocity", text.str()});
+                break;
+            }
+    }
+    if (!state.effects.velocity_conditions) return problems;
+    find_velocity_fields(state);
+    if (state.effects.stored_stencils) store_stencils(state);
+    extrapolate_momenta(state);
+    find_velocities(state);
+    find_controls(state);
+    for (std::size_t b = 0; b < state.boundaries.size(); ++b)
+        if (const auto* wall = std::get_if<WallSpec>(&state.boundaries[b].condition))
+            check_wall(state, *wall, static_cast<std::int32_t>(b), problems);
+    return problems;
+}
+
+template std::vector<Problem> check_state<2>(State<2>&);
+template std::vector<Problem> check_state<3>(State<3>&);
+
+} // namespace abut
