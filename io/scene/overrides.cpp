@@ -162,6 +162,12 @@ void apply_override(Json& scene, const std::string& override, std::vector<Proble
     }
     ParsedJson parsed = parse_json(text);
     if (!parsed.value) {
+        // No key wants a text like this: it is a list or an object with a slip of the pen.
+        if (!text.empty() && (text.front() == '[' || text.front() == '{')) {
+            const std::string why = parsed.problems.empty() ? "" : ": " + parsed.problems.front().message;
+            problems.push_back({pointer, fmt::format("--set: {} is not valid JSON{}", text, why)});
+            return;
+        }
         *walk.value = text;
     } else {
         for (const Problem& problem : parsed.problems) problems.push_back({pointer + problem.pointer, problem.message});

@@ -58,7 +58,7 @@ std::vector<Key> general_keys() {
          .kind = Kind::number,
          .otherwise = "0.4",
          .range = {0, 1, true, false},
-         .meaning = "Time step divided by (cell size / wave speed)."},
+         .meaning = "Time step divided by (cell size / wave speed); `fmpm` takes less where this would be unstable."},
         {.path = "/time/step",
          .kind = Kind::quantity,
          .dimension = dimensions::time,

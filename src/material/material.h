@@ -7,8 +7,17 @@
 namespace abut {
 
 /// The constitutive laws. To add one: a struct with kirchhoff, energy, stiffness and (for plane stress)
-/// stretch_without_stress, and a line here and in make_material.
+/// stretch_without_stress, and a line here, in with_law and in make_material.
 using Law = std::variant<NeoHookean, NeoHookeanIsochoric, LinearElastic>;
+
+/// Calls work(law) with the law itself; like std::visit, but without its exception, which loops of threads must not
+/// throw.
+template <class Work>
+decltype(auto) with_law(const Law& law, Work&& work) {
+    if (const auto* l = std::get_if<NeoHookean>(&law)) return work(*l);
+    if (const auto* l = std::get_if<NeoHookeanIsochoric>(&law)) return work(*l);
+    return work(*std::get_if<LinearElastic>(&law));
+}
 
 /// A material ready for the kernels.
 struct Material {

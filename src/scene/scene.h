@@ -60,7 +60,8 @@ enum class PositionUpdate {
     /// deformation gradients then stay together however far a body is deformed. "MPM PIC" of Eq. (2).
     end_velocity,
     /// X += [S m^-1 p + (V' − V)/2] Δt, as published for XPIC (FMPM paper §2.3). At walls, contacts and free edges the
-    /// velocities at the start of a step are those of the last end smoothed once more by the extrapolation, so particles
+    /// velocities at the start of a step are those of the last end smoothed once more by the extrapolation, so
+    /// particles
     /// move by less than they deform: after large compression their domains leave cracks and overlaps.
     start_velocity,
     /// X += ½ (V + V') Δt, as published for FMPM (Table 1, task 4): the particle's own velocities. Only where the grid

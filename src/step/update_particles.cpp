@@ -121,16 +121,14 @@ double sweep_tile(State<D>& state, const Sweep<D>& sweep, const Tile<D>& tile, s
                 if (failed < 0 && !is_in_place(state, p)) failed = p;
             }
         if (!deforms) continue;
-        std::visit(
-            [&](const auto& law) {
-                for (std::int32_t p = first; p < last; ++p) {
-                    const double stiffness = update_stress(particles, p, law, gathered[p - first].gradient,
-                                                           sweep.strain_step, state.effects.free_across);
-                    stiffest = std::max(stiffest, stiffness);
-                    if (failed < 0 && !(stiffness >= 0)) failed = p;
-                }
-            },
-            state.material_of(tile.body).law);
+        with_law(state.material_of(tile.body).law, [&](const auto& law) {
+            for (std::int32_t p = first; p < last; ++p) {
+                const double stiffness = update_stress(particles, p, law, gathered[p - first].gradient,
+                                                       sweep.strain_step, state.effects.free_across);
+                stiffest = std::max(stiffest, stiffness);
+                if (failed < 0 && !(stiffness >= 0)) failed = p;
+            }
+        });
     }
     return stiffest;
 }

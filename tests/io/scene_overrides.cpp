@@ -1,5 +1,7 @@
 #include "scene_support.h"
 
+#include "io/scene/overrides.h"
+
 namespace abut::scene_test {
 namespace {
 
@@ -117,6 +119,16 @@ TEST(SceneOverrides, Problems) {
         const std::vector<Problem> problems = problems_of(text, {override});
         EXPECT_THAT(problems, ElementsAre(IsProblem(pointer, fragment))) << override << "\n" << in_lines(problems);
     }
+}
+
+TEST(SceneOverrides, AListThatIsNoJsonIsSaidToBeNone) {
+    Json scene = parsed(example);
+    const Json before = scene;
+    std::vector<Problem> problems;
+    apply_override(scene, "/gravity=[.5, 0]", problems);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_THAT(problems[0], IsProblem("/gravity", "[.5, 0] is not valid JSON"));
+    EXPECT_EQ(scene, before);
 }
 
 } // namespace
