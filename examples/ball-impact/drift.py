@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """usage: drift.py RESULTS: prints for each frame of an impact of two bodies what should not change: momentum and
 angular momentum, by the particles; and the energies and the work of contact, by history.csv."""
 
@@ -9,7 +9,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "traction-pulse"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 import vtu  # noqa: E402
 
 

@@ -11,43 +11,27 @@ Prints a table (CSV): scheme, stress update, largest and last total energy, last
 in % of the energy at the start.
 
   --full       full.json, with cells of half the size (half an hour on one core); else scene.json (1 minute)
-  --threads N  threads of each run (default: all)
+  --threads N  threads of each run (default: 1)
 ABUT names the program, build/release/abut by default.
 END
 }
 
-abut=${ABUT:-build/release/abut}
-threads=()
+source examples/sweep_options.sh
 scene=scene.json
-while (($# > 0)); do
+option() {
     case $1 in
         --full) scene=full.json ;;
-        --threads)
-            threads=(--threads "${2:?sweep.sh: --threads needs a number}")
-            shift
-            ;;
-        -h | --help)
-            usage
-            exit 0
-            ;;
-        *)
-            echo "sweep.sh: unknown argument \"$1\"" >&2
-            usage >&2
-            exit 2
-            ;;
+        *) return 1 ;;
     esac
-    shift
-done
-
-results=$(mktemp -d)
-trap 'rm -rf "$results"' EXIT
+}
+sweep_options "$@"
 
 echo "scheme,stress_update,largest_energy,energy,strain_energy,contact_work"
 for scheme in flip fmpm-2 fmpm-4 xpic-4; do
     transfer="\"scheme\": \"${scheme%-*}\""
     case $scheme in *-*) transfer+=", \"order\": ${scheme#*-}" ;; esac
     for update in usl usl+ usavg+; do
-        "$abut" run "examples/ball-impact/$scene" -o "$results/run" --overwrite --quiet "${threads[@]}" \
+        "$abut" run "examples/ball-impact/$scene" -o "$results/run" --overwrite --quiet --threads "$threads" \
             --set "/method/transfer={$transfer}" --set "/method/stress_update=$update" --set /output/every=0
         LC_ALL=C awk -F, -v row="$scheme,$update" '
             NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }

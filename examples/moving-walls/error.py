@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """usage: error.py RESULTS...: prints for each result folder of the moving walls the paper's velocity error: the mean
 over the run of the RMS deviation from the exact velocity, in % of the velocity of the ends.
        error.py --series RESULTS: the RMS deviation over time and strain."""
@@ -10,7 +10,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "traction-pulse"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 import vtu  # noqa: E402
 
 RATE = 0.0025

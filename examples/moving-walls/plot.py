@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """usage: plot.py SWEEP.csv PICTURE.png: draws the table of sweep.sh like Fig. 7 of the FMPM paper.
 Needs python3-matplotlib."""
 

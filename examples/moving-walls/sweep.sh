@@ -12,42 +12,26 @@ Prints a table (CSV): method, conditions, depth of the walls in cells, velocity 
   --full       the published bar of 20 x 4 m, all depths (10 minutes on one core); else 20 x 1 m, four depths (1 minute)
   --far        instead: full.json, until the bar breaks up; prints method, strain in %, RMS velocity error in %
   --threads N  threads of each run (default: 1, for the bar is small)
-ABUT names the program, build/release/abut by default. Needs python3.
+ABUT names the program, build/release/abut by default. Needs python3-vtk9.
 END
 }
 
-abut=${ABUT:-build/release/abut}
-threads=1
+source examples/sweep_options.sh
 depths=(0.5 1 1.5 2.5)
 half="0.5 m"
 far=no
-while (($# > 0)); do
+option() {
     case $1 in
         --full)
             depths=(0 0.5 1 1.5 2 2.5 3 4)
             half="2 m"
             ;;
         --far) far=yes ;;
-        --threads)
-            threads=${2:?sweep.sh: --threads needs a number}
-            shift
-            ;;
-        -h | --help)
-            usage
-            exit 0
-            ;;
-        *)
-            echo "sweep.sh: unknown argument \"$1\"" >&2
-            usage >&2
-            exit 2
-            ;;
+        *) return 1 ;;
     esac
-    shift
-done
-
-results=$(mktemp -d)
-trap 'rm -rf "$results"' EXIT
-errors="python3 examples/moving-walls/error.py"
+}
+sweep_options "$@"
+errors="/usr/bin/python3 examples/moving-walls/error.py"
 
 # abut_run SCENE DEPTH OPTIONS...
 abut_run() {

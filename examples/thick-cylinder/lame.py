@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """usage: lame.py RESULTS...: compares the last frame with Lamé's solution. Prints the largest and the RMS error of the
 radial and of the hoop stress, as shares of the pressure and of the largest hoop stress, and of the displacement."""
 
@@ -8,7 +8,7 @@ import os
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "traction-pulse"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 import vtu  # noqa: E402
 
 A, B, PRESSURE, E, NU = 0.020, 0.040, 1e3, 10e6, 0.3

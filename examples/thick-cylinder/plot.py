@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """usage: plot.py PICTURE.png NAME=RESULTS...: draws stresses and displacement of the particles over the radius, and
 Lamé's solution. Needs python3-matplotlib."""
 

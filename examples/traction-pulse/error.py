@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """usage: error.py RESULTS...: prints for each result folder of the traction pulse the RMS error of the stress (the
 paper's formula), the place and height of the top, and the largest stress behind the pulse, where there should be none.
 Heights are shares of the pulse's."""
@@ -9,6 +9,7 @@ import os
 import sys
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 import vtu  # noqa: E402
 
 PEAK = 0.0005e6

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """usage: plot.py PICTURE.png NAME=RESULTS...: draws the stress along the bar at the end of runs, like Fig. 6B of the
 FMPM paper. Needs python3-matplotlib."""
 

@@ -12,35 +12,19 @@ in mm, its height, the largest stress behind the pulse (shares of 500 Pa), order
 
   --full       cells down to 0.5 mm (5 minutes on one core); else 4, 2 and 1 mm (half a minute)
   --threads N  threads of each run (default: 1, for the bar is small)
-ABUT names the program, build/release/abut by default. Needs python3.
+ABUT names the program, build/release/abut by default. Needs python3-vtk9.
 END
 }
 
-abut=${ABUT:-build/release/abut}
-threads=1
+source examples/sweep_options.sh
 cells=(4 2 1)
-while (($# > 0)); do
+option() {
     case $1 in
         --full) cells=(4 2 1 0.5) ;;
-        --threads)
-            threads=${2:?sweep.sh: --threads needs a number}
-            shift
-            ;;
-        -h | --help)
-            usage
-            exit 0
-            ;;
-        *)
-            echo "sweep.sh: unknown argument \"$1\"" >&2
-            usage >&2
-            exit 2
-            ;;
+        *) return 1 ;;
     esac
-    shift
-done
-
-results=$(mktemp -d)
-trap 'rm -rf "$results"' EXIT
+}
+sweep_options "$@"
 
 echo "order,cell_mm,rms_pa,top_mm,top,behind,convergence"
 for k in 0 1 2 4 8; do
@@ -50,7 +34,7 @@ for k in 0 1 2 4 8; do
     for h in "${cells[@]}"; do
         "$abut" run examples/traction-pulse/scene.json -o "$results/run" --overwrite --quiet --threads "$threads" \
             --set "/grid/cell=$h mm" --set "/method/transfer=$transfer" --set /output/every=0
-        row=$(python3 examples/traction-pulse/error.py "$results/run")
+        row=$(/usr/bin/python3 examples/traction-pulse/error.py "$results/run")
         LC_ALL=C awk -v k="$k" -v h="$h" -v row="$row" -v before="$before" 'BEGIN {
             printf "%d,%s,%s,", k, h, row
             if (before != "") {

@@ -19,41 +19,25 @@ ABUT names the program, build/release/abut by default.
 END
 }
 
-abut=${ABUT:-build/release/abut}
-threads=1
+source examples/sweep_options.sh
 cell=1
 cells=(5 2.5 2 1 0.5)
 steps=(0.4 0.2 0.1 0.05 0.02 0.01)
 parts=()
-while (($# > 0)); do
+option() {
     case $1 in
         --short)
             cell=2
             cells=(5 2.5 2 1)
             steps=(0.4 0.2 0.1 0.05)
             ;;
-        --threads)
-            threads=${2:?sweep.sh: --threads needs a number}
-            shift
-            ;;
-        -h | --help)
-            usage
-            exit 0
-            ;;
         order | cell | step | shape | update) parts+=("$1") ;;
-        *)
-            echo "sweep.sh: unknown argument \"$1\"" >&2
-            usage >&2
-            exit 2
-            ;;
+        *) return 1 ;;
     esac
-    shift
-done
+}
+sweep_options "$@"
 ((${#parts[@]} > 0)) || parts=(order cell step shape update)
 orders=(1 2 3 4 5 6 8 12 16)
-
-results=$(mktemp -d)
-trap 'rm -rf "$results"' EXIT
 
 # run PART VARIANT ORDER CELL TIME_KEY=VALUE OPTIONS...
 run() {

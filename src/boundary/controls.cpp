@@ -15,9 +15,7 @@ void for_each_slot(const VelocityFields<D>& fields, Wanted&& wanted, Visit&& vis
         if (!wanted(block)) continue;
         for (std::size_t local = 0; local < nodes_per_block<D>; ++local) {
             if (block.first_slot[local] == block.first_slot[local + 1]) continue;
-            Index<D> node = block.first_node;
-            for (int a = 0, rest = static_cast<int>(local); a < D; ++a, rest /= block_edge)
-                node[a] += rest % block_edge;
+            const Index<D> node = block.node(static_cast<int>(local));
             for (std::int32_t slot = block.first_slot[local]; slot < block.first_slot[local + 1]; ++slot)
                 visit(node, slot);
         }

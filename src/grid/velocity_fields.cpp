@@ -85,11 +85,7 @@ void number_slots(const Grid<D>& grid, Tiling<D>& tiling, VelocityFields<D>& fie
         for (int local = 0; local < block_nodes; ++local) {
             const std::int32_t here = count[b * block_nodes + local];
             block.first_slot[local] = slot;
-            if (here > 1) {
-                Index<D> node = block.first_node;
-                for (int a = 0, rest = local; a < D; ++a, rest /= block_edge) node[a] += rest % block_edge;
-                fields.contact_nodes.push_back({node, slot, here});
-            }
+            if (here > 1) fields.contact_nodes.push_back({block.node(local), slot, here});
             slot += here;
         }
         block.first_slot[block_nodes] = slot;

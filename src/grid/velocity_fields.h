@@ -29,6 +29,11 @@ struct VelocityFields {
         Index<D> first_node;
         std::array<std::int32_t, nodes_per_block<D> + 1>
             first_slot; ///< of each node, x fastest; last: end of the block
+        Index<D> node(int local) const {
+            Index<D> result = first_node;
+            for (int a = 0; a < D; ++a, local /= block_edge) result[a] += local % block_edge;
+            return result;
+        }
     };
     std::vector<Block> blocks;
     std::vector<std::int32_t> field; ///< of each slot: the body, or 0 without contact

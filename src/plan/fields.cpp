@@ -19,6 +19,8 @@ std::vector<Field> fields_of(const Effects& effects) {
     add(effects.stored_stencils, "node, shape functions, gradient", "stencil entry",
         effects.reextrapolate ? "the last extrapolation needs those of the step's beginning" : "dear to expand",
         sizeof(std::int32_t) + (1 + D + effects.ring) * sizeof(double));
+    add(effects.stored_stencils, "nodes seen, first entry", "particle", "where a particle's stencil is stored",
+        sizeof(Window<D>) + sizeof(std::size_t));
     add(true, "mass and momentum", "slot", "always", sizeof(Pack));
     add(true, "force", "slot", "always", sizeof(Pack));
     add(true, "velocity at the start of the step", "slot", "always", sizeof(Pack));

@@ -137,10 +137,7 @@ GridFrame grid_frame(const State<D>& state) {
     std::vector<std::int32_t> count(n, 0);
     for (const auto& block : state.fields.blocks)
         for (std::size_t local = 0; local < nodes_per_block<D>; ++local) {
-            Index<D> node = block.first_node;
-            for (int a = 0, rest = static_cast<int>(local); a < D; ++a, rest /= block_edge)
-                node[a] += rest % block_edge;
-            const std::size_t i = place(node);
+            const std::size_t i = place(block.node(static_cast<int>(local)));
             if (i == n) continue;
             Pack momentum{};
             for (std::int32_t slot = block.first_slot[local]; slot < block.first_slot[local + 1]; ++slot) {

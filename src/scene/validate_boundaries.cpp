@@ -11,10 +11,6 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
-std::string metres(double value) {
-    return with_unit(value, "m");
-}
-
 /// Times in ]0, end] between which ∫f is monotonous: the points of f, its changes of sign, and the end.
 std::vector<double> turning_times(const TimeFunction& f, double end) {
     std::vector<double> times;

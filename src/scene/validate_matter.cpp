@@ -11,10 +11,6 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
-std::string metres(double value) {
-    return with_unit(value, "m");
-}
-
 /// Adds one problem for each side of the grid's box over which [lower, upper] reaches.
 void check_inside(const Vector& lower, const Vector& upper, const Scene& scene, const std::string& pointer,
                   Problems& problems) {

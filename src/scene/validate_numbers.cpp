@@ -11,10 +11,6 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
-std::string metres(double value) {
-    return with_unit(value, "m");
-}
-
 void check_grid(const Scene& scene, Problems& problems) {
     const GridSpec& grid = scene.grid;
     for (std::size_t axis = 0; axis < axes(scene); ++axis) {
@@ -61,14 +57,8 @@ void check_symmetry(const Scene& scene, Problems& problems) {
 void check_method(const Scene& scene, Problems& problems) {
     const TransferSpec& transfer = scene.method.transfer;
     demand(transfer.order >= 1, "/method/transfer/order", "must be at least 1", problems);
-    if (transfer.every_cfl) {
-        const std::string pointer = "/method/transfer/every_cfl";
-        demand(*transfer.every_cfl > 0, pointer, "must be greater than 0", problems);
-        demand(scene.time.step || !(*transfer.every_cfl < scene.time.cfl), pointer,
-               "less than the time step, \"cfl\" " + with_unit(scene.time.cfl, "") +
-                   ": every step would be one with this scheme; leave this key out for that",
-               problems);
-    }
+    if (transfer.every_cfl)
+        demand(*transfer.every_cfl > 0, "/method/transfer/every_cfl", "must be greater than 0", problems);
     demand(!(transfer.scheme == TransferScheme::fmpm && transfer.position == PositionUpdate::start_velocity),
            "/method/transfer/position", R"("start-velocity" does not go with "fmpm"; use "mean-velocity")", problems);
     demand(!(transfer.scheme == TransferScheme::xpic && transfer.position == PositionUpdate::mean_velocity),

@@ -19,6 +19,9 @@ inline constexpr double place_rounding = 1e-9;
 
 /// "0.001 m"
 std::string with_unit(double value, const char* unit);
+inline std::string metres(double value) {
+    return with_unit(value, "m");
+}
 
 /// Adds a problem unless `good`; comparisons with NaN are false and so never good.
 void demand(bool good, const std::string& pointer, const std::string& message, std::vector<Problem>& problems);

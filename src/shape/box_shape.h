@@ -14,8 +14,8 @@ struct BoxShape {
         return HalfSize::of(p);
     }
     template <int D>
-    static int count(const Grid<D>& grid, const Domain<D>& p) {
-        return BoxShape::window(grid, p).size();
+    static int count(const Window<D>& own) {
+        return own.size();
     }
 
     template <int D>
@@ -24,20 +24,20 @@ struct BoxShape {
         const Vec<D> x = grid.lattice_position(p.position);
         Window<D> w;
         for (int a = 0; a < D; ++a) {
-            const double center = settled(x[a]);
-            const double reach = settled(r[a]);
-            w.lower[a] = Function::first_node(center - reach);
-            w.upper[a] = Function::first_node(center + reach) + Function::nodes - 1;
+            w.lower[a] = Function::first_node(x[a] - r[a]);
+            w.upper[a] = Function::first_node(x[a] + r[a]) + Function::nodes - 1;
         }
         return w;
     }
 
     template <bool Ring, int D>
-    static void fill(const Grid<D>& grid, const Domain<D>& p, const Window<D>& window, const StencilEntries<D>& s) {
+    static void fill(const Grid<D>& grid, const Domain<D>& p, const Window<D>& own, const Window<D>& window,
+                     const StencilEntries<D>& s) {
         const Vec<D> r = HalfSize::of(p).cwiseProduct(grid.inverse_cell);
         const Vec<D> x = grid.lattice_position(p.position);
         AxisTable f[D];
-        for (int a = 0; a < D; ++a) average<Function, Ring>(settled(x[a]), settled(r[a]), grid.inverse_cell[a], f[a]);
+        for (int a = 0; a < D; ++a)
+            average<Function, Ring>(x[a], r[a], grid.inverse_cell[a], own.lower[a], own.extent(a), f[a]);
         fill_product<Ring, D>(f, window, p.position[0], s);
     }
 };
@@ -55,7 +55,7 @@ struct InitialBox {
 /// stretch along the axes it is the deformed domain itself; turned by a right angle its edges change places.
 struct CurrentBox {
     template <int D>
-    [[gnu::noinline]] static Vec<D> of(const Domain<D>& p) { // the same bits wherever it is called
+    static Vec<D> of(const Domain<D>& p) {
         Vec<D> r;
         for (int a = 0; a < D; ++a) {
             double squares = 0;

@@ -20,12 +20,12 @@ struct ConvectedShape {
 
     using GridFunction = Function;
     template <int D>
-    static int count(const Grid<D>& grid, const Domain<D>& p) {
-        return std::min(corner_nodes<D>, ConvectedShape::window(grid, p).size());
+    static int count(const Window<D>& own) {
+        return std::min(corner_nodes<D>, own.size());
     }
 
     template <int D>
-    [[gnu::noinline]] static Window<D> window(const Grid<D>& grid, const Domain<D>& p) {
+    static Window<D> window(const Grid<D>& grid, const Domain<D>& p) {
         Window<D> w;
         for (int a = 0; a < D; ++a) {
             double reach = 0;
@@ -41,7 +41,8 @@ struct ConvectedShape {
     }
 
     template <bool Ring, int D>
-    static void fill(const Grid<D>& grid, const Domain<D>& p, const Window<D>& window, const StencilEntries<D>& s) {
+    static void fill(const Grid<D>& grid, const Domain<D>& p, const Window<D>& own, const Window<D>& window,
+                     const StencilEntries<D>& s) {
         constexpr int corners = power(2, D);
         constexpr double share = 1.0 / corners;
         Mat<D> A = p.deformation_gradient;
@@ -50,12 +51,15 @@ struct ConvectedShape {
 
         // Merged into the box of nodes around the domain if that is no larger than the list of all corners' nodes:
         // an undeformed particle of CPDI sees 4 to 9 nodes of 16 corner nodes.
-        const Window<D> own = ConvectedShape::window(grid, p);
         const bool merged = own.size() <= corner_nodes<D>;
-        const int count = merged ? own.size() : corner_nodes<D>;
-        std::fill_n(s.S, count, 0.0);
-        for (int a = 0; a < D; ++a) std::fill_n(s.G[a], count, 0.0);
-        if constexpr (Ring) std::fill_n(s.T, count, 0.0);
+        const int count = ConvectedShape::count(own);
+        // Summed up here, where the compiler knows that nothing else is changed.
+        double S_sum[corner_nodes<D>];
+        double G_sum[D][corner_nodes<D>];
+        [[maybe_unused]] double T_sum[Ring ? corner_nodes<D> : 1];
+        std::fill_n(S_sum, count, 0.0);
+        for (auto& component : G_sum) std::fill_n(component, count, 0.0);
+        if constexpr (Ring) std::fill_n(T_sum, count, 0.0);
         if (merged) {
             int k = 0;
             for_each_node(own, [&](const Index<D>& node) { s.node[k++] = window.local(node); });
@@ -98,11 +102,14 @@ struct ConvectedShape {
                 for (int a = 0, rest = n; a < D; ++a, rest /= Function::nodes) weight *= w[a][rest % Function::nodes];
                 const int k = merged ? first + offset[n] : c * nodes + n;
                 if (!merged) s.node[k] = first + offset[n];
-                s.S[k] += S * weight;
-                for (int a = 0; a < D; ++a) s.G[a][k] += G[a] * weight;
-                if constexpr (Ring) s.T[k] += T * weight;
+                S_sum[k] += S * weight;
+                for (int a = 0; a < D; ++a) G_sum[a][k] += G[a] * weight;
+                if constexpr (Ring) T_sum[k] += T * weight;
             }
         }
+        std::copy_n(S_sum, count, s.S);
+        for (int a = 0; a < D; ++a) std::copy_n(G_sum[a], count, s.G[a]);
+        if constexpr (Ring) std::copy_n(T_sum, count, s.T);
     }
 };
 

@@ -13,8 +13,8 @@ struct PointShape {
 
     using GridFunction = Function;
     template <int D>
-    static int count(const Grid<D>&, const Domain<D>&) {
-        return max_nodes<D>;
+    static int count(const Window<D>& own) {
+        return own.size();
     }
 
     template <int D>
@@ -35,7 +35,8 @@ struct PointShape {
     }
 
     template <bool Ring, int D>
-    static void fill(const Grid<D>& grid, const Domain<D>& p, const Window<D>& window, const StencilEntries<D>& s) {
+    static void fill(const Grid<D>& grid, const Domain<D>& p, const Window<D>&, const Window<D>& window,
+                     const StencilEntries<D>& s) {
         const Vec<D> x = grid.lattice_position(p.position);
         AxisTable f[D];
         for (int a = 0; a < D; ++a) evaluate<Function>(settled(x[a]), grid.inverse_cell[a], f[a]);

@@ -92,11 +92,11 @@ struct AxisTable {
     double dm[most_axis_nodes];
 };
 
-/// Means of a grid function over [x - r, x + r], everything in cells of width 1/h.
+/// Means of a grid function over [x - r, x + r], everything in cells of width 1/h, for `size` nodes from `base` on.
 template <class Function, bool Ring>
-void average(double x, double r, double h, AxisTable& f) {
-    f.base = Function::first_node(x - r);
-    f.size = Function::first_node(x + r) + Function::nodes - f.base;
+void average(double x, double r, double h, int base, int size, AxisTable& f) {
+    f.base = base;
+    f.size = size;
     for (int i = 0; i < f.size; ++i) {
         // Ends of the domain as seen from the node. What lies beyond the node is mirrored: on this side the integrals
         // are small numbers where the domain only just reaches the node, on the other differences of large ones, and a

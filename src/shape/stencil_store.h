@@ -19,6 +19,7 @@ struct StencilView {
 /// Stencils of all particles, made once a step, for shapes whose expansion costs more than reading it back.
 template <int D>
 struct StencilStore {
+    std::vector<Window<D>> window;  ///< of each particle's nodes, found with those of the tiles
     std::vector<std::size_t> first; ///< of each particle's entries; one more at the end
     std::vector<std::int32_t> slot;
     std::vector<double> S;

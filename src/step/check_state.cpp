@@ -16,21 +16,20 @@ using Problems = std::vector<Problem>;
 template <int D>
 void check_time_step(const State<D>& state, Problems& problems) {
     const Scene& scene = state.scene;
-    const double stable = stable_step(state);
-    const auto add = [&](const char* pointer, double value, const char* unit, const std::string& what) {
+    const double limit = cfl_limit(scene);
+    const double crossing = crossing_time(state);
+    const double cfl = scene.time.step ? *scene.time.step / crossing : std::min(scene.time.cfl, limit);
+    if (cfl > limit) {
         std::ostringstream text;
-        text << value << unit << what;
-        problems.push_back({pointer, text.str()});
-    };
-    if (!scene.time.step) return;
-    std::ostringstream seconds;
-    seconds << stable << " s (" << cfl_limit(scene) << " cell / wave speed)";
-    if (*scene.time.step > stable)
-        add("/time/step", *scene.time.step, " s", " is above the stable step, " + seconds.str());
-    else if (state.effects.periodic && *scene.method.transfer.every_cfl * crossing_time(state) < *scene.time.step)
-        add("/method/transfer/every_cfl", *scene.method.transfer.every_cfl, "",
-            " is less than a time step: it is " + std::to_string(*scene.time.step / crossing_time(state)) +
-                " cell / wave speed");
+        text << *scene.time.step << " s is above the stable step, " << limit * crossing << " s (" << limit
+             << " cell / wave speed)";
+        problems.push_back({"/time/step", text.str()});
+    } else if (state.effects.periodic && *scene.method.transfer.every_cfl < cfl * (1 - 1e-9)) {
+        std::ostringstream text;
+        text << *scene.method.transfer.every_cfl << " is less than a time step, " << cfl
+             << " cell / wave speed: every step would be one with this scheme; leave this key out for that";
+        problems.push_back({"/method/transfer/every_cfl", text.str()});
+    }
 }
 
 /// Whether anything in the scene but the wall itself could bring material to a wall that doesn't reach any.

@@ -43,11 +43,16 @@ template <int D>
 bool find_windows(State<D>& state) {
     std::vector<Window<D>> previous(state.tiling.tiles.size());
     for (std::size_t t = 0; t < previous.size(); ++t) previous[t] = state.tiling.tiles[t].window;
+    const bool stored = state.effects.stored_stencils;
+    if (stored) state.stencil_store.window.resize(state.particles.size());
     with_shape(state.scene.method.shape, [&](auto shape) {
         for_each_tile(state.tiling, [&](Tile<D>& tile) {
             tile.window = Window<D>::empty();
-            for (std::int32_t p = tile.first; p < tile.last; ++p)
-                tile.window.include(shape.window(state.grid, domain_of(state.particles, p)));
+            for (std::int32_t p = tile.first; p < tile.last; ++p) {
+                const Window<D> window = shape.window(state.grid, domain_of(state.particles, p));
+                tile.window.include(window);
+                if (stored) state.stencil_store.window[p] = window;
+            }
         });
     });
     include_traction_faces(state);
@@ -110,23 +115,23 @@ void find_velocity_fields(State<D>& state) {
     number_slots(state.grid, tiling, state.fields);
 }
 
-template <int D>
-void store_stencils(State<D>& state) {
+namespace {
+
+template <int D, bool Ring>
+void store_all_stencils(State<D>& state) {
     StencilStore<D>& store = state.stencil_store;
-    const bool ring = state.effects.ring;
     with_shape(state.scene.method.shape, [&](auto shape) {
         using Shape = decltype(shape);
         store.first.assign(state.particles.size() + 1, 0);
         for_each_tile(state.tiling, [&](const Tile<D>& tile) {
-            for (std::int32_t p = tile.first; p < tile.last; ++p)
-                store.first[p + 1] = Shape::count(state.grid, domain_of(state.particles, p));
+            for (std::int32_t p = tile.first; p < tile.last; ++p) store.first[p + 1] = Shape::count(store.window[p]);
         });
         for (std::size_t p = 0; p < state.particles.size(); ++p) store.first[p + 1] += store.first[p];
         const std::size_t entries = store.first.back();
         store.slot.resize(entries);
         store.S.resize(entries);
         for (auto& component : store.G) component.resize(entries);
-        if (ring) store.T.resize(entries);
+        if constexpr (Ring) store.T.resize(entries);
         for_each_tile(state.tiling, [&](const Tile<D>& tile) {
             const std::int32_t* const table = state.fields.table.data() + tile.slots;
             for (std::int32_t p = tile.first; p < tile.last; ++p) {
@@ -134,19 +139,22 @@ void store_stencils(State<D>& state) {
                 StencilEntries<D> s{store.slot.data() + first, store.S.data() + first, {}, nullptr};
                 for (int a = 0; a < D; ++a) s.G[a] = store.G[a].data() + first;
                 const Domain<D> domain = domain_of(state.particles, p);
-                bool filled = false;
-                if constexpr (D == 2)
-                    if (ring) {
-                        s.T = store.T.data() + first;
-                        Shape::template fill<true>(state.grid, domain, tile.window, s);
-                        filled = true;
-                    }
-                if (!filled) Shape::template fill<false>(state.grid, domain, tile.window, s);
+                if constexpr (Ring) s.T = store.T.data() + first;
+                Shape::template fill<Ring>(state.grid, domain, store.window[p], tile.window, s);
                 for (std::size_t entry = first; entry < store.first[p + 1]; ++entry)
                     store.slot[entry] = table[store.slot[entry]];
             }
         });
     });
+}
+
+} // namespace
+
+template <int D>
+void store_stencils(State<D>& state) {
+    if constexpr (D == 2)
+        if (state.effects.ring) return store_all_stencils<D, true>(state);
+    store_all_stencils<D, false>(state);
 }
 
 template void find_velocity_fields<2>(State<2>&);

@@ -27,6 +27,9 @@ void extrapolate_forces(State<D>& state);
 template <int D>
 void extrapolate_momenta_and_forces(State<D>& state);
 
+/// Velocities (mass in lane 0) of momenta (likewise); zero where there is no mass.
+void divide_by_mass(const std::vector<Pack>& momentum, std::vector<Pack>& velocity);
+
 /// v^α0 = p^α0 / m^α (contact paper Eq. 5).
 template <int D>
 void find_velocities(State<D>& state);

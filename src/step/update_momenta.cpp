@@ -3,18 +3,22 @@
 
 namespace abut {
 
-template <int D>
-void find_velocities(State<D>& state) {
-    const auto n = static_cast<std::ptrdiff_t>(state.fields.size());
-    state.nodes.velocity.resize(n);
+void divide_by_mass(const std::vector<Pack>& momentum, std::vector<Pack>& velocity) {
+    const auto n = static_cast<std::ptrdiff_t>(momentum.size());
+    velocity.resize(n);
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t slot = 0; slot < n; ++slot) {
-        const Pack p = state.nodes.momentum[slot];
+        const Pack p = momentum[slot];
         // A slot within a window that no particle reaches has no mass.
         Pack v = p[0] > 0 ? p / p[0] : Pack{};
         v[0] = p[0];
-        state.nodes.velocity[slot] = v;
+        velocity[slot] = v;
     }
+}
+
+template <int D>
+void find_velocities(State<D>& state) {
+    divide_by_mass(state.nodes.momentum, state.nodes.velocity);
 }
 
 template <int D>

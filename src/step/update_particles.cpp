@@ -60,8 +60,8 @@ struct Sweep {
     double strain_step = 0;                ///< time over which particles deform [s]; 0: not at all
 };
 
-/// Particles that are gathered before they are updated: the gathering loop and the constitutive law stay apart, and
-/// what passes between them in the nearest cache.
+/// Particles whose velocity gradients are gathered before their stresses are updated: the gathering loop and the
+/// constitutive law stay apart, and what passes between them in the nearest cache.
 constexpr int chunk = 64;
 
 template <int D>
@@ -72,7 +72,8 @@ struct Gathered {
 
 /// \tparam Extra velocities besides E that are wanted: 0 none, 1 B, 2 B and F, 3 those that deform the particles
 template <int D, class Source, int Extra>
-void gather(const State<D>& state, const Sweep<D>& sweep, const StencilView<D>& s, bool deforms, Gathered<D>& g) {
+[[gnu::always_inline]] inline Gathered<D> gather(const State<D>& state, const Sweep<D>& sweep, const StencilView<D>& s,
+                                                 bool deforms) {
     const Pack* const end = sweep.end_velocity.data();
     const Pack* const start = state.nodes.velocity.data();
     const Pack* const filtered = state.nodes.filtered.data();
@@ -91,7 +92,7 @@ void gather(const State<D>& state, const Sweep<D>& sweep, const StencilView<D>& 
         if constexpr (Source::ring) hoop += s.T[k] * d[1];
     }
     sum.gradient.hoop = hoop;
-    g = sum;
+    return sum;
 }
 
 template <int D>
@@ -109,22 +110,22 @@ double sweep_tile(State<D>& state, const Sweep<D>& sweep, const Tile<D>& tile, s
     auto stencils = state.template stencils<Source>(tile);
     const bool deforms = sweep.strain_step > 0;
     double stiffest = 0;
-    Gathered<D> gathered[chunk];
+    VelocityGradient<D> gradients[chunk];
     for (std::int32_t first = tile.first; first < tile.last; first += chunk) {
         const std::int32_t last = std::min(tile.last, first + chunk);
-        for (std::int32_t p = first; p < last; ++p)
-            gather<D, Source, Extra>(state, sweep, deforms ? stencils.of(p) : stencils.values_of(p), deforms,
-                                     gathered[p - first]);
-        if (sweep.rule)
-            for (std::int32_t p = first; p < last; ++p) {
-                move(*sweep.rule, gathered[p - first], particles.velocity[p], particles.position[p], state.dt);
-                if (failed < 0 && !is_in_place(state, p)) failed = p;
-            }
+        for (std::int32_t p = first; p < last; ++p) {
+            const Gathered<D> g =
+                gather<D, Source, Extra>(state, sweep, deforms ? stencils.of(p) : stencils.values_of(p), deforms);
+            gradients[p - first] = g.gradient;
+            if (!sweep.rule) continue;
+            move(*sweep.rule, g, particles.velocity[p], particles.position[p], state.dt);
+            if (failed < 0 && !is_in_place(state, p)) failed = p;
+        }
         if (!deforms) continue;
         with_law(state.material_of(tile.body).law, [&](const auto& law) {
             for (std::int32_t p = first; p < last; ++p) {
-                const double stiffness = update_stress(particles, p, law, gathered[p - first].gradient,
-                                                       sweep.strain_step, state.effects.free_across);
+                const double stiffness = update_stress(particles, p, law, gradients[p - first], sweep.strain_step,
+                                                       state.effects.free_across);
                 stiffest = std::max(stiffest, stiffness);
                 if (failed < 0 && !(stiffness >= 0)) failed = p;
             }
@@ -172,16 +173,21 @@ const std::vector<Pack>& final_velocity(const State<D>& state) {
 
 /// Velocities that deform particles apart from the momentum update: as given, then through the full mass matrix and the
 /// velocity conditions (FMPM paper §2.3, task 5; notes 2.3.2).
+/// \param changed takes them if they differ from `lumped`
 template <int D>
-std::vector<Pack> deforming_velocity(State<D>& state, const std::vector<Pack>& lumped, const std::vector<Pack>* delta) {
-    std::vector<Pack> velocity = lumped;
-    if (state.conditions_on_lumped()) impose_untracked(state.controls, velocity);
-    if (!state.effects.fmpm || !state.transfers) return velocity;
+const std::vector<Pack>& deforming_velocity(State<D>& state, const std::vector<Pack>& lumped,
+                                            const std::vector<Pack>* delta, std::vector<Pack>& changed) {
+    const bool full_mass_matrix = state.effects.fmpm && state.transfers;
+    if (!state.effects.velocity_conditions && !full_mass_matrix) return lumped;
+    changed = lumped;
+    if (state.conditions_on_lumped()) impose_untracked(state.controls, changed);
+    if (!full_mass_matrix) return changed;
     std::vector<Pack> filtered;
-    apply_mass_matrix_inverse(state, velocity, delta, filtered);
+    apply_mass_matrix_inverse(state, changed, delta, filtered);
     if (state.scene.method.velocity_conditions != VelocityConditions::lumped)
         impose_untracked(state.controls, filtered);
-    return filtered;
+    changed.swap(filtered);
+    return changed;
 }
 
 } // namespace
@@ -199,7 +205,8 @@ void update_particles(State<D>& state) {
 template <int D>
 void update_stress_first(State<D>& state) {
     const std::vector<Pack>* delta = state.effects.delta_velocity ? &state.nodes.delta_velocity : nullptr;
-    const std::vector<Pack> velocity = deforming_velocity(state, state.nodes.velocity, delta);
+    std::vector<Pack> changed;
+    const std::vector<Pack>& velocity = deforming_velocity(state, state.nodes.velocity, delta, changed);
     run<D>(state, {nullptr, velocity, velocity, state.effects.stress_share() * state.dt});
 }
 
@@ -207,16 +214,13 @@ template <int D>
 void update_stress_again(State<D>& state) {
     // The stencils are still those of the step's beginning: particles and grid have moved together since.
     extrapolate_momenta(state);
-    std::vector<Pack> velocity = state.nodes.momentum;
-    for (Pack& v : velocity) {
-        const double mass = v[0];
-        if (mass > 0) v /= mass;
-        v[0] = mass;
-    }
+    std::vector<Pack> lumped;
+    divide_by_mass(state.nodes.momentum, lumped);
     std::vector<Pack> delta;
     if (state.effects.contact)
-        correct_for_contact(state, velocity, state.effects.fmpm && state.transfers ? &delta : nullptr);
-    velocity = deforming_velocity(state, velocity, delta.empty() ? nullptr : &delta);
+        correct_for_contact(state, lumped, state.effects.fmpm && state.transfers ? &delta : nullptr);
+    std::vector<Pack> changed;
+    const std::vector<Pack>& velocity = deforming_velocity(state, lumped, delta.empty() ? nullptr : &delta, changed);
     run<D>(state, {nullptr, velocity, velocity, state.effects.stress_share() * state.dt});
 }
 

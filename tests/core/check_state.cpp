@@ -77,7 +77,17 @@ TEST(CheckState, PeriodicTransfersMustNotBeMoreOftenThanSteps) {
             s.method.transfer.every_cfl = every;
         });
     };
-    expect_one(with(0.4), "/method/transfer/every_cfl", "less than a time step");
+    expect_one(with(0.4), "/method/transfer/every_cfl", "0.4 is less than a time step, 0.5 cell / wave speed");
+    // Against the step that is taken: fmpm may cut it below the scene's cfl.
+    const auto free = [](double every) {
+        return problems([&](Scene& s) {
+            s.method.shape = ShapeKind::ugimp;
+            s.method.transfer = transfer(TransferScheme::fmpm, 16);
+            s.method.transfer.every_cfl = every;
+        });
+    };
+    expect_one(free(0.15), "/method/transfer/every_cfl", "0.15 is less than a time step, 0.175");
+    EXPECT_TRUE(free(0.3).empty());
     EXPECT_TRUE(with(0.6).empty());
     // FLIP has no transfer to make periodic.
     EXPECT_TRUE(problems([](Scene& s) {

@@ -81,7 +81,7 @@ template <bool Ring, int D, class Shape>
 Filled<D> filled(Shape, const Grid<D>& grid, const Domain<D>& p) {
     Filled<D> f;
     f.reset(Shape::window(grid, p));
-    f.entries = Shape::count(grid, p);
+    f.entries = Shape::count(f.window);
     std::vector<std::int32_t> node(f.entries, -1);
     std::vector<double> S(f.entries, NAN), T(f.entries, NAN), G[D];
     StencilEntries<D> s{node.data(), S.data(), {}, T.data()};
@@ -89,7 +89,7 @@ Filled<D> filled(Shape, const Grid<D>& grid, const Domain<D>& p) {
         G[a].assign(f.entries, NAN); // an entry that is left out shows
         s.G[a] = G[a].data();
     }
-    Shape::template fill<Ring>(grid, p, f.window, s);
+    Shape::template fill<Ring>(grid, p, f.window, f.window, s);
     for (int k = 0; k < f.entries; ++k) {
         Vec<D> g;
         for (int a = 0; a < D; ++a) g[a] = G[a][k];

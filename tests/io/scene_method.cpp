@@ -48,7 +48,6 @@ TEST(SceneMethod, WhatGoesTogether) {
         {at, R"({"scheme": "fmpm", "position": "start-velocity"})", at + "/position", "does not go with \"fmpm\""},
         {at, R"({"scheme": "xpic", "position": "mean-velocity"})", at + "/position", "does not go with \"xpic\""},
         {at, R"({"scheme": "pic", "order": 3})", at + "/order", "here it is \"pic\""},
-        {at, R"({"scheme": "fmpm", "every_cfl": 0.39})", at + "/every_cfl", "less than the time step, \"cfl\" 0.4"},
         {"/method/velocity_conditions", R"("lumped")", "/method/velocity_conditions", "\"fmpm\" only"},
     });
     const std::vector<std::string> good{
@@ -56,10 +55,6 @@ TEST(SceneMethod, WhatGoesTogether) {
         R"({"scheme": "xpic", "position": "start-velocity"})", R"({"scheme": "fmpm", "every_cfl": 0.4})"};
     for (const std::string& transfer : good)
         EXPECT_THAT(problems_of(changed(at, transfer)), testing::IsEmpty()) << transfer;
-    // With a fixed step, only a run knows.
-    EXPECT_THAT(problems_of(changed("/time", R"({"end": "15 us", "step": "1 ns"})",
-                                    changed(at, R"({"scheme": "fmpm", "every_cfl": 0.01})"))),
-                testing::IsEmpty());
 }
 
 std::vector<Problem> advice_on(const std::string& method, const std::string& wall) {
