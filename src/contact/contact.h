@@ -49,8 +49,9 @@ struct Contact {
     std::int32_t cloud_capacity = 32;
 
     /// By slot, at contact nodes only.
-    std::vector<Pack> volume_gradient; ///< - | g^α (Effects::gradients)
-    std::vector<Pack> mass_position;   ///< - | Σ S M (X − x_i) (Effects::positions)
+    std::vector<Pack> volume_gradient;   ///< Ω^α | g^α, notes 2.5, 2.6 (Effects::gradients, Effects::volumes)
+    std::vector<Pack> mass_position;     ///< - | Σ S M (X − origin) (Effects::positions)
+    std::vector<Pack> mass_displacement; ///< - | Σ S M ΔX, notes 2.4 (Effects::displacements)
 };
 
 } // namespace abut

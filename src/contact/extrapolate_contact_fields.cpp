@@ -8,9 +8,10 @@ namespace {
 
 /// Adds to the arrays that are wanted; the others are null.
 template <int D>
-void extrapolate(State<D>& state, std::vector<Pack>* gradient, std::vector<Pack>* mass_position) {
-    if (gradient) gradient->assign(state.fields.size(), Pack{});
-    if (mass_position) mass_position->assign(state.fields.size(), Pack{});
+void extrapolate(State<D>& state, std::vector<Pack>* gradient, std::vector<Pack>* mass_position,
+                 std::vector<Pack>* mass_displacement) {
+    for (std::vector<Pack>* field : {gradient, mass_position, mass_displacement})
+        if (field) field->assign(state.fields.size(), Pack{});
     const Particles<D>& particles = state.particles;
     with_stencils(state, [&](auto source) {
         using Source = decltype(source);
@@ -22,15 +23,20 @@ void extrapolate(State<D>& state, std::vector<Pack>* gradient, std::vector<Pack>
                 const double volume =
                     particles.deformation_gradient[p].determinant() * particles.across_of(p) * particles.volume[p];
                 const Pack position = pack<D>(0, particles.position[p] - state.grid.origin) * particles.mass[p];
+                Pack displacement{};
+                if (mass_displacement)
+                    displacement =
+                        pack<D>(0, particles.position[p] - state.initial_position[particles.id[p]]) * particles.mass[p];
                 for (int k = 0; k < s.count; ++k) {
                     const std::int32_t slot = s.slot[k];
                     if (gradient) {
-                        Pack G{};
+                        Pack G{s.S[k]};
                         for (int a = 0; a < D; ++a) G[a + 1] = s.G[a][k];
                         if constexpr (Source::ring) G[1] += s.T[k]; // the divergence of a ring's volume
                         (*gradient)[slot] += volume * G;
                     }
                     if (mass_position) (*mass_position)[slot] += s.S[k] * position;
+                    if (mass_displacement) (*mass_displacement)[slot] += s.S[k] * displacement;
                 }
             }
         });
@@ -41,14 +47,16 @@ void extrapolate(State<D>& state, std::vector<Pack>* gradient, std::vector<Pack>
 
 template <int D>
 void extrapolate_contact_fields(State<D>& state) {
-    extrapolate(state, state.effects.gradients ? &state.contact.volume_gradient : nullptr,
-                state.effects.positions ? &state.contact.mass_position : nullptr);
+    const Effects& effects = state.effects;
+    extrapolate(state, effects.gradients || effects.volumes ? &state.contact.volume_gradient : nullptr,
+                effects.positions ? &state.contact.mass_position : nullptr,
+                effects.displacements ? &state.contact.mass_displacement : nullptr);
 }
 
 template <int D>
 std::vector<Pack> volume_gradients(State<D>& state) {
     std::vector<Pack> gradient;
-    extrapolate<D>(state, &gradient, nullptr);
+    extrapolate<D>(state, &gradient, nullptr, nullptr);
     return gradient;
 }
 

@@ -11,11 +11,12 @@ void find_groups(State<D>& state);
 template <int D>
 void gather_clouds(State<D>& state);
 
-/// Volume gradients and positions at contact nodes (contact paper Eq. 11).
+/// Volumes with their gradients, positions and displacements at contact nodes (contact paper Eq. 11; notes 2.3-2.6).
 template <int D>
 void extrapolate_contact_fields(State<D>& state);
 
-/// Volume gradients g^α = Σ G V of all slots at contact nodes, for whoever wants them outside the step [m^2].
+/// Volumes Ω = Σ S V (lane 0) [m^3] and their gradients g = Σ G V [m^2] of all slots at contact nodes, for whoever wants
+/// them outside the step.
 template <int D>
 std::vector<Pack> volume_gradients(State<D>& state);
 

@@ -13,12 +13,14 @@ struct ModelBody {
     InitialVelocity velocity;
 };
 
-/// Material points before the first step, as geometry makes them: one entry a particle in the three arrays.
+/// Material points before the first step, as geometry makes them: one entry a particle in each array.
 struct Model {
     std::vector<ModelBody> bodies;
     std::vector<Vector> position;  ///< of particle centres [m]
     std::vector<Vector> half_size; ///< half the edges of the undeformed particle domain [m]
     std::vector<int> body;         ///< index into `bodies`
+    /// How far particles' domains are turned counter-clockwise in the plane [rad]; empty: not at all.
+    std::vector<double> angle;
 
     std::size_t size() const { return position.size(); }
 };

@@ -1,5 +1,6 @@
 #include "particles/particles.h"
 
+#include <Eigen/Geometry>
 #include <numbers>
 
 namespace abut {
@@ -22,6 +23,9 @@ Particles<D> make_particles(const Model& model, const Scene& scene) {
     particles.stress.assign(n, Stress<D>::Zero());
     if (scene.analysis == Analysis::plane_stress || scene.analysis == Analysis::axisymmetric)
         particles.across.assign(n, 1.0);
+    if constexpr (D == 2)
+        for (std::size_t p = 0; p < model.angle.size(); ++p)
+            particles.deformation_gradient[p] = Eigen::Rotation2Dd(model.angle[p]).toRotationMatrix();
     for (std::size_t p = 0; p < n; ++p) {
         const ModelBody& body = model.bodies[model.body[p]];
         const Vec<D> half_size = to_vec<D>(model.half_size[p]);

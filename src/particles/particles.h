@@ -38,7 +38,7 @@ constexpr std::size_t bytes_per_particle() {
     return sizeof(Vec<D>) * 3 + sizeof(Mat<D>) + sizeof(Stress<D>) + 2 * sizeof(double) + 2 * sizeof(std::int32_t);
 }
 
-/// Particles at rest strain with their body's velocity, in the model's order.
+/// Particles without strain, but turned as the model says, with their body's velocity, in the model's order.
 template <int D>
 Particles<D> make_particles(const Model& model, const Scene& scene);
 

@@ -10,6 +10,8 @@ struct Effects {
     bool clouds = false;         ///< point clouds of contact nodes: regression normals or particle edges
     bool regression = false;     ///< normals by regression
     bool gradients = false;      ///< volume gradients at contact nodes: gradient normals
+    bool volumes = false;        ///< volumes at contact nodes, with the gradients: contact areas, normals by volume
+    bool displacements = false;  ///< extrapolated displacements at contact nodes: interfaces, separations
     bool positions = false;      ///< extrapolated positions at contact nodes: grid separations
     bool delta_velocity = false; ///< Δv of the first contact pass is kept: XPIC and FMPM of order 2 and more
     int extra_orders = 0;        ///< gather-scatter sweeps of XPIC and FMPM: order - 1
@@ -26,6 +28,8 @@ struct Effects {
     bool free_across = false;     ///< plane stress: the stretch across the plane is solved for
     bool stored_stencils = false; ///< stencils are kept for the sweeps of a step
 
+    /// Whether fields are extrapolated at contact nodes.
+    bool contact_fields() const { return gradients || volumes || displacements || positions; }
     /// Share of a step's strain that each of its stress updates takes.
     double stress_share() const { return stress_first && stress_last ? 0.5 : 1.0; }
 };

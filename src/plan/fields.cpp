@@ -31,7 +31,10 @@ std::vector<Field> fields_of(const Effects& effects) {
         sizeof(Pack));
     add(effects.contact_strain, "velocity that deforms", "slot", "fmpm with contact", sizeof(Pack));
     add(effects.tractions, "force of tractions", "slot", "the scene has tractions", sizeof(Pack));
-    add(effects.gradients, "volume gradient", "slot", "normals by volume gradients", sizeof(Pack));
+    add(effects.gradients || effects.volumes, "volume, volume gradient", "slot",
+        effects.gradients ? "normals by volume gradients" : "a contact law needs areas", sizeof(Pack));
+    add(effects.displacements, "mass times displacement", "slot", "a contact law or separation by displacements",
+        sizeof(Pack));
     add(effects.positions, "mass times position", "slot", "separations by extrapolated positions", sizeof(Pack));
     add(effects.contact, "bodies, normal, separation, impulse", "contact node", "the scene has contact",
         sizeof(ContactGroup<D>) + sizeof(ContactPoint<D>));

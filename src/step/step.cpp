@@ -51,8 +51,10 @@ std::vector<Task<D>> step_tasks(const Scene& scene) {
     add(effects.contact, "find contact groups", "the scene has contact", find_groups<D>);
     add(effects.clouds, "gather point clouds",
         effects.regression ? "normals by regression" : "separations by particle-edges", gather_clouds<D>);
-    add(effects.gradients || effects.positions, "extrapolate contact fields",
-        effects.gradients ? "normals by volume gradients" : "separations by extrapolated positions",
+    add(effects.contact_fields(), "extrapolate contact fields",
+        effects.gradients   ? "normals by volume gradients"
+        : effects.positions ? "separations by extrapolated positions"
+                            : "a contact law needs areas or displacements",
         extrapolate_contact_fields<D>);
     add(effects.clouds || effects.gradients, "find normals and separations", "an interface is not perfect",
         find_normals_and_separations<D>);
