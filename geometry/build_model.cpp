@@ -17,6 +17,7 @@ namespace {
 struct Mention {
     std::string pointer, name, material;
     InitialVelocity velocity;
+    std::optional<RigidSpec> rigid; ///< then it has no material
 };
 
 /// Index of the named body in the model, which gets it if it is new.
@@ -24,13 +25,18 @@ int body_index(const Mention& mention, const Scene& scene, Model& model, std::ve
     int material = -1;
     for (std::size_t k = 0; k < scene.materials.size(); ++k)
         if (scene.materials[k].name == mention.material) material = static_cast<int>(k);
-    if (material < 0)
+    if (material < 0 && !mention.rigid)
         problems.push_back({mention.pointer + "/material", fmt::format("no material \"{}\"", mention.material)});
 
     for (std::size_t k = 0; k < model.bodies.size(); ++k) {
         const ModelBody& known = model.bodies[k];
         if (known.name != mention.name) continue;
-        if (material >= 0 && known.material >= 0 && known.material != material)
+        if (mention.rigid || known.rigid)
+            problems.push_back(
+                {mention.pointer, fmt::format("body \"{}\" exists already; a rigid body has one shape or "
+                                              "colour only",
+                                              mention.name)});
+        else if (material >= 0 && known.material >= 0 && known.material != material)
             problems.push_back(
                 {mention.pointer + "/material", fmt::format("body \"{}\" exists already, of material \"{}\"",
                                                             mention.name, scene.materials[known.material].name)});
@@ -39,7 +45,7 @@ int body_index(const Mention& mention, const Scene& scene, Model& model, std::ve
                                 fmt::format("body \"{}\" exists already, with another velocity", mention.name)});
         return static_cast<int>(k);
     }
-    model.bodies.push_back({mention.name, material, mention.velocity});
+    model.bodies.push_back({mention.name, material, mention.velocity, mention.rigid});
     return static_cast<int>(model.bodies.size()) - 1;
 }
 
@@ -52,7 +58,7 @@ bool has_usable_grid(const GridSpec& grid, int dimension) {
 void add_shape(const BodySpec& spec, const std::string& pointer, const Scene& scene, Model& model,
                std::vector<Part>& parts, std::vector<Problem>& problems) {
     Part part{pointer, spec.name, 0, {}, {}};
-    part.body = body_index({pointer, spec.name, spec.material, spec.velocity}, scene, model, problems);
+    part.body = body_index({pointer, spec.name, spec.material, spec.velocity, spec.rigid}, scene, model, problems);
     if (spec.particles_per_cell < 1) {
         problems.push_back({pointer + "/particles_per_cell", "must be at least 1"});
         return;
@@ -84,9 +90,9 @@ void add_image(std::size_t index, const Scene& scene, const std::string& scene_n
     for (std::size_t k = 0; k < spec.legend.size(); ++k) {
         const LegendEntry& entry = spec.legend[k];
         if (!entry.is_void)
-            body_of_entry[k] =
-                body_index({fmt::format("{}/legend/{}", pointer, k), entry.body, entry.material, {entry.velocity}},
-                           scene, model, problems);
+            body_of_entry[k] = body_index(
+                {fmt::format("{}/legend/{}", pointer, k), entry.body, entry.material, {entry.velocity}, entry.rigid},
+                scene, model, problems);
     }
     for (Part& part : image_parts(spec, scene.grid, pointer, scene_name, problems)) {
         for (std::size_t k = 0; k < spec.legend.size(); ++k)

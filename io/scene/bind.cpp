@@ -64,6 +64,7 @@ BodySpec bind_body(const Json& json) {
     BodySpec body;
     copy(json, "name", body.name);
     copy(json, "material", body.material);
+    if (const Json* rigid = find(json, "rigid")) body.rigid = bind_rigid(*rigid);
     body.shape = bind_shape(json);
     copy_components(json, "velocity", body.velocity.value);
     const Json& rows = part(json, "velocity_gradient");
@@ -95,6 +96,7 @@ LegendEntry bind_legend_entry(const Json& json) {
     copy(json, "void", entry.is_void);
     copy(json, "body", entry.body);
     copy(json, "material", entry.material);
+    if (const Json* rigid = find(json, "rigid")) entry.rigid = bind_rigid(*rigid);
     copy_components(json, "velocity", entry.velocity);
     return entry;
 }
@@ -115,6 +117,19 @@ LawSpec bind_law(const Json& json) {
     LawSpec law;
     copy_word(json, "type", law_words, law.type);
     copy(json, "coefficient", law.coefficient);
+    copy(json, "static_coefficient", law.static_coefficient);
+    copy(json, "decay_velocity", law.decay_velocity);
+    copy(json, "viscosity", law.viscosity);
+    copy(json, "contact_stiffness", law.contact_stiffness);
+    copy(json, "strength", law.strength);
+    copy(json, "shear_strength", law.shear_strength);
+    copy(json, "reach", law.reach);
+    copy(json, "normal_stiffness", law.tension_stiffness);
+    copy(json, "tension_stiffness", law.tension_stiffness);
+    copy(json, "compression_stiffness", law.compression_stiffness);
+    copy(json, "tangential_stiffness", law.tangential_stiffness);
+    copy(json, "opening", law.opening);
+    copy(json, "sliding", law.sliding);
     return law;
 }
 
@@ -137,6 +152,7 @@ ContactSpec bind_contact(const Json& json) {
     copy_word(json, "three_or_more", three_or_more_words, contact.three_or_more);
     copy(json, "overlap_correction", contact.overlap_correction);
     copy(json, "screening", contact.screening);
+    copy(json, "rigid_bias", contact.rigid_bias);
     contact.law = bind_law(part(json, "law"));
     copy_list(json, "laws", contact.laws, bind_pair_law);
     return contact;
@@ -162,6 +178,7 @@ OutputSpec bind_output(const Json& json) {
     copy(json, "particles", output.particles);
     copy(json, "grid", output.grid);
     copy(json, "contact", output.contact);
+    copy(json, "pairs", output.pairs);
     return output;
 }
 

@@ -17,6 +17,11 @@ void copy_function(const Json& object, const char* key, TimeFunction& member) {
     if (const Json* value = find(object, key)) member = bind_function(*value);
 }
 
+void copy_functions(const Json& object, const char* key, std::array<TimeFunction, 3>& member) {
+    const Json& functions = part(object, key);
+    for (std::size_t i = 0; i < std::min(functions.size(), member.size()); ++i) member[i] = bind_function(functions[i]);
+}
+
 Box bind_box(const Json& json) {
     Box box;
     copy_components(json, "lower", box.lower);
@@ -53,14 +58,21 @@ TractionSpec bind_traction(const Json& json) {
     copy_word(json, "axis", axis_words, traction.axis);
     copy_word(json, "side", side_words, traction.side);
     if (const Json* within = find(json, "within")) traction.within = bind_box(*within);
-    const Json& stress = part(json, "stress");
-    for (std::size_t i = 0; i < std::min(stress.size(), traction.traction.size()); ++i)
-        traction.traction[i] = bind_function(stress[i]);
+    copy_functions(json, "stress", traction.traction);
     copy_function(json, "pressure", traction.pressure);
     return traction;
 }
 
 } // namespace
+
+RigidSpec bind_rigid(const Json& json) {
+    RigidSpec rigid;
+    copy_functions(json, "velocity", rigid.velocity);
+    copy_function(json, "angular_velocity", rigid.angular_velocity);
+    copy_components(json, "axis", rigid.axis);
+    if (find(json, "center")) copy_components(json, "center", rigid.center.emplace());
+    return rigid;
+}
 
 BoundarySpec bind_boundary(const Json& json) {
     BoundarySpec boundary;

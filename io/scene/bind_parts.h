@@ -59,6 +59,9 @@ void copy_list(const Json& object, const char* key, std::vector<T>& member, Bind
     for (const Json& entry : part(object, key)) member.push_back(bind(entry));
 }
 
+/// A prescribed motion.
+RigidSpec bind_rigid(const Json& json);
+
 /// An entry of /boundaries.
 BoundarySpec bind_boundary(const Json& json);
 

@@ -95,7 +95,13 @@ std::optional<Json> check_child(const Json& object, const Node& node, const Node
         checking.problems.push_back({pointer, wrong_place(*key.only_with, place.neighbour)});
         return {};
     }
+    const bool has_substitute = !key.unless.empty() && find(object, key.unless);
+    if (given && has_substitute) {
+        checking.problems.push_back({pointer, fmt::format("does not go with \"{}\"", key.unless)});
+        return {};
+    }
     if (given) return check_node(*given, child, pointer, checking);
+    if (has_substitute) return {};
     if (place.place != Place::right) return {};
     if (key.required) {
         checking.problems.push_back({pointer, "this key is required and missing. " + key.meaning});

@@ -124,12 +124,18 @@ Json has_value(const std::string& name, const Key& key, const std::vector<std::s
     return schema;
 }
 
+/// That a required key is there, or its substitute.
+Json require(const Key& key, const std::string& name) {
+    if (key.unless.empty()) return require({name});
+    return {{"oneOf", Json::array({require({name}), require({key.unless})})}};
+}
+
 /// if the neighbour has its value, then the key may (or must) be there, else it must not.
 Json only_with_schema(const SpecificationNode& object, const SpecificationNode& child) {
     const OnlyWith& only = *child.key->only_with;
     const Key& neighbour = *object.find(only.key)->key;
     Json schema{{"if", only.values.empty() ? require({only.key}) : has_value(only.key, neighbour, only.values)}};
-    if (child.key->required) schema["then"] = require({child.name});
+    if (child.key->required) schema["then"] = require(*child.key, child.name);
     schema["else"] = {{"properties", {{child.name, false}}}};
     return schema;
 }
@@ -144,7 +150,8 @@ Json object_schema(const SpecificationNode& node) {
         const Key& key = *child.key;
         if (key.kind == Kind::later) continue;
         properties[child.name] = node_schema(child);
-        if (key.required && !key.only_with) required.push_back(child.name);
+        if (key.required && !key.only_with && key.unless.empty()) required.push_back(child.name);
+        if (key.required && !key.only_with && !key.unless.empty()) rules.push_back(require(key, child.name));
         if (key.only_with && !key.only_with->of_scene()) rules.push_back(only_with_schema(node, child));
     }
     for (const Group* group : node.groups) rules.push_back(group_schema(*group));

@@ -74,6 +74,7 @@ struct Key {
     std::optional<std::string> otherwise{}; ///< default, JSON text; vectors get as many zeros more as they need
     Range range{};
     std::optional<OnlyWith> only_with{};
+    std::string unless{};  ///< a neighbour that takes its place: where that is given, this must not be
     std::string hint{};    ///< added to the message about a value out of range or an unknown word
     std::string meaning{}; ///< one sentence
 };

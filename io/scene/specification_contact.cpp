@@ -6,28 +6,7 @@
 
 namespace abut {
 
-namespace {
-
-/// The keys of a contact law that stands at `path`.
-std::vector<Key> law_keys(const std::string& path) {
-    return {
-        {.path = path + "/type",
-         .kind = Kind::word,
-         .words = texts(law_words),
-         .later_words = {"linear-interface", "bilinear-interface"},
-         .required = true,
-         .meaning = "`frictionless` sliding, Coulomb `friction`, `stick` without sliding while pressed together, or "
-                    "`perfect` bonding."},
-        {.path = path + "/coefficient",
-         .kind = Kind::number,
-         .required = true,
-         .range = at_least(0),
-         .only_with = OnlyWith{"type", quoted_all({"friction"})},
-         .meaning = "Coulomb's coefficient of friction."},
-    };
-}
-
-} // namespace
+namespace {} // namespace
 
 std::vector<Key> contact_keys() {
     std::vector<Key> keys{
@@ -84,6 +63,12 @@ std::vector<Key> contact_keys() {
          .otherwise = quoted("explicit"),
          .meaning = "What happens at nodes that see three or more bodies: `lumped` takes each against all the others; "
                     "`explicit` solves all touching pairs at once, each with its own normal."},
+        {.path = "/contact/rigid_bias",
+         .kind = Kind::number,
+         .otherwise = "0",
+         .range = at_least(0),
+         .meaning = "At a rigid body the normal is that of its own volume gradient where the gradient times this is at "
+                    "least as large as the other body's; 0: `normal` holds there too."},
         {.path = "/contact/law",
          .kind = Kind::object,
          .otherwise = R"({"type": "frictionless"})",

@@ -138,8 +138,9 @@ std::vector<Key> general_keys() {
          .kind = Kind::quantity,
          .dimension = dimensions::time,
          .range = above(0),
-         .meaning = "Time between two rows of history.csv and bodies.csv; not given: a hundredth of `every`, or of "
-                    "`end` if that is 0."},
+         .meaning =
+             "Time between two rows of history.csv, bodies.csv and pairs.csv; not given: a hundredth of `every`, or of "
+             "`end` if that is 0."},
         {.path = "/output/particles",
          .kind = Kind::boolean,
          .otherwise = "true",
@@ -151,7 +152,11 @@ std::vector<Key> general_keys() {
         {.path = "/output/contact",
          .kind = Kind::boolean,
          .otherwise = "true",
-         .meaning = "Whether to write contact pairs (.vtp), in scenes with contact."},
+         .meaning = "Whether to write contact pairs at nodes (.vtp), in scenes with contact."},
+        {.path = "/output/pairs",
+         .kind = Kind::boolean,
+         .otherwise = "true",
+         .meaning = "Whether to write the forces between bodies to pairs.csv, in scenes with contact."},
         {.path = "/output/checkpoint_every", .kind = Kind::later, .meaning = "Time between two checkpoints."},
     };
 }

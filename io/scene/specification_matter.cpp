@@ -53,6 +53,35 @@ std::vector<Key> material_keys() {
     };
 }
 
+/// The keys of a rigid body's motion that stands at `path`.
+std::vector<Key> rigid_keys(const std::string& path, const std::optional<OnlyWith>& only_with = {}) {
+    return {
+        {.path = path,
+         .kind = Kind::object,
+         .only_with = only_with,
+         .meaning = "Makes the body rigid: it moves as prescribed, whatever pushes it, has no material, and acts on "
+                    "others by contact. history.csv gives the force and the torque on it as `force_NAME_x` and "
+                    "`torque_NAME_x` and so on."},
+        {.path = path + "/velocity",
+         .kind = Kind::functions,
+         .dimension = dimensions::velocity,
+         .meaning = "Velocity of its centre; not given: 0."},
+        {.path = path + "/angular_velocity",
+         .kind = Kind::function,
+         .dimension = dimensions::angular_velocity,
+         .otherwise = "0",
+         .meaning = "Angular velocity about its centre, counter-clockwise."},
+        {.path = path + "/axis",
+         .kind = Kind::vector,
+         .only_with = only_in_3d,
+         .meaning = "Direction of the axis of rotation, of any length but 0; not given: z."},
+        {.path = path + "/center",
+         .kind = Kind::vector,
+         .dimension = dimensions::length,
+         .meaning = "Centre of rotation at time 0, about which torques are given; not given: the body's own centre."},
+    };
+}
+
 std::vector<Key> body_keys() {
     return {
         {.path = "/bodies",
@@ -61,7 +90,11 @@ std::vector<Key> body_keys() {
          .meaning = "Bodies of simple shapes; a body is a set of particles that share one velocity field."},
         {.path = "/bodies/#", .kind = Kind::object, .meaning = "A body."},
         {.path = "/bodies/#/name", .kind = Kind::name, .required = true, .meaning = "Name of the body, unique."},
-        {.path = "/bodies/#/material", .kind = Kind::name, .required = true, .meaning = "Name of its material."},
+        {.path = "/bodies/#/material",
+         .kind = Kind::name,
+         .required = true,
+         .unless = "rigid",
+         .meaning = "Name of its material; rigid bodies have none."},
         {.path = "/bodies/#/box", .kind = Kind::object, .meaning = "A rectangle, or in `3d` a cuboid, along the axes."},
         {.path = "/bodies/#/box/lower",
          .kind = Kind::vector,
@@ -206,7 +239,8 @@ std::vector<Key> image_keys() {
          .kind = Kind::name,
          .required = true,
          .only_with = OnlyWith{"void", {"false"}},
-         .meaning = "Name of its material."},
+         .unless = "rigid",
+         .meaning = "Name of its material; rigid bodies have none."},
         {.path = "/images/#/legend/#/velocity",
          .kind = Kind::vector,
          .dimension = dimensions::velocity,
@@ -220,7 +254,8 @@ std::vector<Key> image_keys() {
 
 std::vector<Key> matter_keys() {
     std::vector<Key> keys = material_keys();
-    for (std::vector<Key>& more : std::vector{body_keys(), image_keys()})
+    for (std::vector<Key>& more : std::vector{body_keys(), rigid_keys("/bodies/#/rigid"), image_keys(),
+                                              rigid_keys("/images/#/legend/#/rigid", OnlyWith{"void", {"false"}})})
         keys.insert(keys.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     return keys;
 }

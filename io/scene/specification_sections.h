@@ -21,9 +21,10 @@ inline std::vector<std::string> quoted_all(std::vector<std::string> words) {
 inline const OnlyWith only_in_plane{"/analysis", quoted_all({"plane-strain", "plane-stress", "axisymmetric"})};
 inline const OnlyWith only_in_3d{"/analysis", quoted_all({"3d"})};
 
-std::vector<Key> general_keys();  ///< the scene, grid, time, method, gravity, output
-std::vector<Key> matter_keys();   ///< materials, bodies, images
-std::vector<Key> contact_keys();  ///< contact and its laws
-std::vector<Key> boundary_keys(); ///< walls, velocities, tractions
+std::vector<Key> general_keys();                    ///< the scene, grid, time, method, gravity, output
+std::vector<Key> matter_keys();                     ///< materials, bodies, images
+std::vector<Key> law_keys(const std::string& path); ///< of a contact law that stands at `path`
+std::vector<Key> contact_keys();                    ///< contact and its laws
+std::vector<Key> boundary_keys();                   ///< walls, velocities, tractions
 
 } // namespace abut

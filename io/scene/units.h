@@ -29,6 +29,9 @@ inline constexpr Dimension velocity{.length = 1, .time = -1};
 inline constexpr Dimension acceleration{.length = 1, .time = -2};
 inline constexpr Dimension density{.length = -3, .mass = 1};
 inline constexpr Dimension pressure{.length = -1, .mass = 1, .time = -2};
+inline constexpr Dimension stiffness{.length = -2, .mass = 1, .time = -2};      ///< of an interface
+inline constexpr Dimension film_viscosity{.length = -2, .mass = 1, .time = -1}; ///< viscosity over thickness
+inline constexpr Dimension angular_velocity{.time = -1, .angle = 1};
 } // namespace dimensions
 
 /// A value in SI units with its dimension.

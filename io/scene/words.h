@@ -50,8 +50,15 @@ inline constexpr std::array separation_words{Word{"particle-edges", SeparationMe
                                              Word{"critical-position", SeparationMethod::critical_position},
                                              Word{"fitted-position", SeparationMethod::fitted_position},
                                              Word{"none", SeparationMethod::none}};
-inline constexpr std::array law_words{Word{"frictionless", LawType::frictionless}, Word{"friction", LawType::friction},
-                                      Word{"stick", LawType::stick}, Word{"perfect", LawType::perfect}};
+inline constexpr std::array law_words{Word{"frictionless", LawType::frictionless},
+                                      Word{"friction", LawType::friction},
+                                      Word{"stick", LawType::stick},
+                                      Word{"perfect", LawType::perfect},
+                                      Word{"adhesion", LawType::adhesion},
+                                      Word{"viscous-friction", LawType::viscous_friction},
+                                      Word{"linear-interface", LawType::linear_interface},
+                                      Word{"bilinear-interface", LawType::bilinear_interface},
+                                      Word{"cohesive-interface", LawType::cohesive_interface}};
 inline constexpr std::array axis_words{Word{"x", 0}, Word{"y", 1}, Word{"z", 2}};
 inline constexpr std::array side_words{Word{"lower", Side::lower}, Word{"upper", Side::upper}};
 /// Instead of a gradient of a wall's velocity.

@@ -61,6 +61,21 @@ std::string describe_choice(const Scene& scene) {
                        scene.time.cfl, scene.method.transfer.order);
 }
 
+/// How far the time step is from the largest one that carries the springs of the contact laws.
+void print_interfaces(const Scene& scene, double dt) {
+    const auto print = [&](const std::string& pointer, const LawSpec& law) {
+        const double stiffness = largest_stiffness(law);
+        if (stiffness == 0) return;
+        const double limit = interface_step_limit(scene, stiffness);
+        fmt::print(
+            "{}: springs of up to {:.4g} Pa/m; steps below {} carry them at full nodes (κΔt < π/2; here {:.3g})\n\n",
+            pointer, stiffness, format_time(limit), 0.5 * M_PI * dt / limit);
+    };
+    print("/contact/law", scene.contact->law);
+    for (std::size_t i = 0; i < scene.contact->laws.size(); ++i)
+        print(fmt::format("/contact/laws/{}/law", i), scene.contact->laws[i].law);
+}
+
 template <int D>
 void print_plan(State<D>& state, const SceneOptions& options) {
     check_start(state, options.scene);
@@ -75,6 +90,7 @@ void print_plan(State<D>& state, const SceneOptions& options) {
                state.largest_wave_speed, format_time(stable_step(state)), format_time(dt), describe_choice(state.scene),
                std::ceil(state.scene.time.end / dt), format_time(state.scene.time.end));
 
+    if (state.scene.contact) print_interfaces(state.scene, dt);
     fmt::print("A step:\n");
     for (const Task<D>& task : step_tasks<D>(state.scene)) fmt::print("  {:<36} {}\n", task.name, task.reason);
 

@@ -14,9 +14,9 @@ namespace abut {
 
 namespace {
 
-std::vector<std::string> with_key_columns(std::vector<std::string> columns) {
-    columns.insert(columns.begin(), {"step", "time", "body"});
-    return columns;
+std::vector<std::string> with_key_columns(std::vector<std::string> keys, const std::vector<std::string>& columns) {
+    keys.insert(keys.end(), columns.begin(), columns.end());
+    return keys;
 }
 
 /// Writes one file of a series and enters it.
@@ -35,23 +35,34 @@ void write_to_series(PvdSeries& series, const char* name, const char* extension,
 template <int D>
 RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state)
     : folder_(folder), history_(folder / "history.csv", history_columns(state)),
-      bodies_(folder / "bodies.csv", with_key_columns(body_columns())),
+      bodies_(folder / "bodies.csv", with_key_columns({"step", "time", "body"}, body_columns())),
       particles_{folder / "particles.pvd", {}}, grid_{folder / "grid.pvd", {}}, contact_{folder / "contact.pvd", {}} {
     write_text_atomically(folder / "scene.json", resolved_scene);
+    if (state.effects.contact && state.scene.output.pairs)
+        pairs_.emplace(folder / "pairs.csv", with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns()));
 }
 
 template <int D>
 void RunFiles::write_history(State<D>& state) {
     const std::vector<Totals> by_body = body_totals(state);
-    Totals all;
-    for (const Totals& totals : by_body) all += totals;
-    history_.row(history_row(state, all, state.time - last_history_));
+    const double interval = state.time - last_history_;
+    history_.row(history_row(state, deformable_totals(state, by_body), interval));
     last_history_ = state.time;
     for (std::size_t b = 0; b < by_body.size(); ++b) {
         std::vector<CsvTable::Value> row = {std::int64_t{state.step}, state.time,
                                             std::string_view(state.bodies[b].name)};
-        for (const double value : body_row(by_body[b])) row.emplace_back(value);
+        for (const double value : body_row(by_body[b], state.bodies[b].rigid.has_value())) row.emplace_back(value);
         bodies_.row(row);
+    }
+    if (pairs_) {
+        for (const PairRow& pair : pair_rows(state, interval)) {
+            std::vector<CsvTable::Value> row = {std::int64_t{state.step}, state.time,
+                                                std::string_view(state.bodies[pair.body_a].name),
+                                                std::string_view(state.bodies[pair.body_b].name)};
+            for (const double value : pair.values) row.emplace_back(value);
+            pairs_->row(row);
+        }
+        pairs_->flush();
     }
     history_.flush();
     bodies_.flush();

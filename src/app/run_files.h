@@ -17,7 +17,7 @@ public:
     template <int D>
     RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state);
 
-    /// A row of history.csv and the rows of bodies.csv.
+    /// A row of history.csv and the rows of bodies.csv and pairs.csv.
     template <int D>
     void write_history(State<D>& state);
     /// A frame of each series that the scene asks for. \return the interpenetration of bodies, as a fraction of their
@@ -32,6 +32,7 @@ private:
     std::filesystem::path folder_;
     CsvTable history_;
     CsvTable bodies_;
+    std::optional<CsvTable> pairs_; ///< scenes with contact
     PvdSeries particles_;
     PvdSeries grid_;
     PvdSeries contact_;

@@ -1,5 +1,5 @@
 #pragma once
-#include "contact/law/law.h"
+#include "contact/law/contact_law.h"
 #include "grid/velocity_fields.h"
 
 #include <vector>
@@ -21,8 +21,19 @@ struct ContactPoint {
     double parting = 0;              ///< normal velocity at which overlapping bodies shall part [m/s]
     bool light = false;              ///< touching, and one body has next to no mass here: see ContactSpec::screening
     Vec<D> sliding = Vec<D>::Zero(); ///< tangential velocity of b to a that a light pair keeps [m/s]
-    bool touching = false;           ///< in contact in the second pass
+    double carried_separation = 0;   ///< at the time of the pass [m]
+    bool touching = false;           ///< overlapping in the second pass
+    bool rigid_a = false;            ///< body a moves as prescribed
+    bool rigid_b = false;            ///< body b, or one of those lumped, does
     Vec<D> impulse = Vec<D>::Zero(); ///< on a in the second pass [N s]
+    /// On a in the first pass, where that moves particles: PIC takes velocities, not accelerations, from the grid [N
+    /// s].
+    Vec<D> first_impulse = Vec<D>::Zero();
+
+    // === Only for laws that need them
+    double area = 0;                       ///< contact area [m^2] (Effects::volumes)
+    Vec<D> discontinuity = Vec<D>::Zero(); ///< displacement of b less that of a [m] (Effects::displacements)
+    double interface_energy = 0;           ///< stored at the end of the step [J]
 };
 
 /// The active bodies of one contact node: those whose share of the node's mass is not negligible (notes 4.1).
@@ -31,6 +42,14 @@ struct ContactGroup {
     Index<D> node;
     std::int32_t first = 0, last = 0;             ///< in Contact::active
     std::int32_t first_point = 0, last_point = 0; ///< one for each pair, or for each body if lumped
+    /// Points of the bodies lumped beside those of the pairs (ThreeOrMore::up_to_two); else none.
+    std::int32_t first_lumped = 0, last_lumped = 0;
+    bool uses_lumped = false; ///< the present pass corrects these, not the pairs
+};
+
+/// Some of Contact::points.
+struct Range {
+    std::int32_t first, last;
 };
 
 /// What contact keeps from the search to the two passes of a step. Scenes without contact keep it empty.

@@ -1,77 +1,131 @@
 #include "contact/contact_pass.h"
 
+#include "boundary/rigid_body.h"
+
 #include <algorithm>
 
 namespace abut {
 
 namespace {
 
-/// Mass and velocity of all bodies of a group but body a, lumped (contact paper Eq. 50).
+/// What distinguishes the two passes.
+struct Pass {
+    double carry = 0; ///< time by which separations have moved on since they were found [s]
+    bool second = false;
+};
+
+/// One side of a contact point: 1/m, 0 for a rigid body, and velocity.
+struct Side {
+    double inverse_mass;
+    Pack velocity;
+};
+
+double reduced_mass(const Side& a, const Side& b) {
+    return 1 / (a.inverse_mass + b.inverse_mass);
+}
+
 template <int D>
-Pack other_side(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
-                const std::vector<Pack>& velocity) {
+Side side_a(const ContactPoint<D>& point, const std::vector<Pack>& velocity) {
+    return {point.rigid_a ? 0.0 : 1 / velocity[point.slot_a][0], velocity[point.slot_a]};
+}
+
+/// Body b, or all bodies of the group but a lumped to one of their mass and momentum (contact paper Eq. 50), which
+/// moves as the rigid body among them does, if there is one.
+template <int D>
+Side side_b(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
+            const std::vector<Pack>& velocity) {
+    if (point.slot_b >= 0) return {point.rigid_b ? 0.0 : 1 / velocity[point.slot_b][0], velocity[point.slot_b]};
     double mass = 0;
     Pack momentum{};
     for (std::int32_t i = group.first; i < group.last; ++i) {
         const std::int32_t slot = state.contact.active[i];
         if (slot == point.slot_a) continue;
+        if (point.rigid_b && is_rigid(state, state.fields.field[slot])) return {0, velocity[slot]};
         mass += velocity[slot][0];
         momentum += velocity[slot][0] * velocity[slot];
     }
-    Pack result = momentum / mass;
-    result[0] = mass;
-    return result;
-}
-
-double reduced_mass(const Pack& a, const Pack& b) {
-    return a[0] * b[0] / (a[0] + b[0]);
+    return {1 / mass, momentum / mass};
 }
 
 template <int D>
-void apply(std::int32_t slot, const Vec<D>& impulse, std::vector<Pack>& velocity, std::vector<Pack>* change) {
-    const Pack delta = pack<D>(0, impulse / velocity[slot][0]);
+void apply(std::int32_t slot, double inverse_mass, const Vec<D>& impulse, std::vector<Pack>& velocity,
+           std::vector<Pack>* change) {
+    if (inverse_mass == 0) return;
+    const Pack delta = pack<D>(0, inverse_mass * impulse);
     velocity[slot] += delta;
     if (change) (*change)[slot] += delta;
 }
 
+/// m (v_b − v_a) at the start of the step: what laws with a memory of the step take for their initial velocity.
+template <int D>
+Vec<D> momentum_at_start(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
+                         double mass) {
+    const std::vector<Pack>& start = state.nodes.velocity;
+    return mass * vector_of<D>(side_b(state, group, point, start).velocity - start[point.slot_a]);
+}
+
+/// A point as its law sees it. \param stick Δp(0)
+template <int D>
+Meeting<D> meeting_at(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
+                      const Vec<D>& stick, double mass, const Pass& pass) {
+    Meeting<D> at{stick, point.normal, mass, state.dt, point.carried_separation, state.grid.length(), pass.second};
+    if (!state.effects.volumes) return at;
+    at.area = point.area;
+    at.discontinuity = point.discontinuity;
+    at.separation_at_start = point.separation;
+    at.start = pass.second ? momentum_at_start(state, group, point, mass) : stick;
+    return at;
+}
+
+template <int D>
+void carry_separation(ContactPoint<D>& point, const Vec<D>& approach, const Pass& pass) {
+    point.carried_separation = point.separation + approach.dot(point.normal) * pass.carry; // notes 3.56
+    point.touching = point.carried_separation < 0;
+}
+
 /// Δp' of every body of a group against the others lumped, each with the velocities as they were before.
 template <int D>
-void correct_lumped(State<D>& state, const ContactGroup<D>& group, double carry, std::vector<Pack>& velocity,
-                    std::vector<Pack>* change) {
+void correct_lumped(State<D>& state, const ContactGroup<D>& group, Range points, const Pass& pass,
+                    std::vector<Pack>& velocity, std::vector<Pack>* change) {
     Contact<D>& contact = state.contact;
-    for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+    for (std::int32_t i = points.first; i < points.last; ++i) {
         ContactPoint<D>& point = contact.points[i];
-        const Pack a = velocity[point.slot_a];
-        const Pack b = other_side(state, group, point, velocity);
-        const Vec<D> approach = vector_of<D>(b - a);
-        point.touching = point.separation + approach.dot(point.normal) * carry < 0;
-        point.impulse = law_impulse<D>(contact.laws.between(point.body_a, point.body_b), reduced_mass(a, b) * approach,
-                                       point.normal, point.touching);
+        const Side a = side_a(point, velocity);
+        const Side b = side_b(state, group, point, velocity);
+        const double mass = reduced_mass(a, b);
+        const Vec<D> approach = vector_of<D>(b.velocity - a.velocity);
+        carry_separation(point, approach, pass);
+        const InterfaceStep<D> step = apply_law(contact.laws.between(point.body_a, point.body_b),
+                                                meeting_at<D>(state, group, point, mass * approach, mass, pass));
+        point.impulse = step.impulse;
+        point.interface_energy = 0.5 * step.energy; // each interface is seen from both sides
     }
-    for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+    for (std::int32_t i = points.first; i < points.last; ++i) {
         const ContactPoint<D>& point = contact.points[i];
-        apply<D>(point.slot_a, point.impulse, velocity, change);
+        apply<D>(point.slot_a, point.rigid_a ? 0.0 : 1 / velocity[point.slot_a][0], point.impulse, velocity, change);
     }
 }
 
 /// Which pairs of a group touch, from the velocities before any correction, and how fast those that overlap shall part.
 template <int D>
-void begin_pairs(State<D>& state, const ContactGroup<D>& group, double carry, const std::vector<Pack>& velocity) {
+void begin_pairs(State<D>& state, const ContactGroup<D>& group, const Pass& pass, const std::vector<Pack>& velocity) {
     for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
         ContactPoint<D>& point = state.contact.points[i];
-        const Vec<D> approach = vector_of<D>(velocity[point.slot_b] - velocity[point.slot_a]);
-        point.touching = point.separation + approach.dot(point.normal) * carry < 0;
+        carry_separation(point, vector_of<D>(velocity[point.slot_b] - velocity[point.slot_a]), pass);
+        point.impulse = Vec<D>::Zero();
+        point.interface_energy = 0;
+        point.light = false;
+        point.parting = 0;
+        if (!pass.second || !only_slides(state.contact.laws.between(point.body_a, point.body_b))) continue;
         const double mass_a = velocity[point.slot_a][0];
         const double mass_b = velocity[point.slot_b][0];
-        point.light = carry > 0 && point.touching &&
-                      std::min(mass_a, mass_b) < state.scene.contact->screening * (mass_a + mass_b);
+        point.light = point.touching && std::min(mass_a, mass_b) < state.scene.contact->screening * (mass_a + mass_b);
         if (point.light) {
             const std::vector<Pack>& start = state.nodes.velocity;
             point.sliding = vector_of<D>(start[point.slot_b] - start[point.slot_a]);
             point.sliding -= point.sliding.dot(point.normal) * point.normal;
         }
-        point.impulse = Vec<D>::Zero();
-        point.parting = carry > 0 ? state.scene.contact->overlap_correction * point.overlap / carry : 0;
+        point.parting = state.scene.contact->overlap_correction * point.overlap / pass.carry;
     }
 }
 
@@ -80,7 +134,7 @@ void begin_pairs(State<D>& state, const ContactGroup<D>& group, double carry, co
 /// each other, are the cases with an explicit solution (contact paper §3.4); more touching pairs are solved alike.
 /// Momentum is conserved pair by pair. May be called again after velocities have changed for another reason (walls).
 template <int D>
-void correct_pairs(State<D>& state, const ContactGroup<D>& group, std::vector<Pack>& velocity,
+void correct_pairs(State<D>& state, const ContactGroup<D>& group, const Pass& pass, std::vector<Pack>& velocity,
                    std::vector<Pack>* change) {
     Contact<D>& contact = state.contact;
     constexpr int most_sweeps = 50;
@@ -91,19 +145,24 @@ void correct_pairs(State<D>& state, const ContactGroup<D>& group, std::vector<Pa
         double largest = 0;
         for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
             ContactPoint<D>& point = contact.points[i];
-            const Pack a = velocity[point.slot_a];
-            const Pack b = velocity[point.slot_b];
+            const Side a = side_a(point, velocity);
+            const Side b = side_b(state, group, point, velocity);
             const double mass = reduced_mass(a, b);
             // What would stop the pair if the pair's own impulse had not been given yet.
-            const Vec<D> stick = point.impulse + mass * (vector_of<D>(b - a) - point.parting * point.normal);
-            const LawSpec& law = contact.laws.between(point.body_a, point.body_b);
-            const Vec<D> impulse = point.light ? Vec<D>(stick - mass * point.sliding)
-                                               : law_impulse<D>(law, stick, point.normal, point.touching);
+            const Vec<D> stick =
+                point.impulse + mass * (vector_of<D>(b.velocity - a.velocity) - point.parting * point.normal);
+            Vec<D> impulse = stick - mass * point.sliding;
+            if (!point.light) {
+                const InterfaceStep<D> step = apply_law(contact.laws.between(point.body_a, point.body_b),
+                                                        meeting_at(state, group, point, stick, mass, pass));
+                impulse = step.impulse;
+                point.interface_energy = step.energy;
+            }
             const Vec<D> more = impulse - point.impulse;
             if (more.isZero(0)) continue;
             point.impulse = impulse;
-            apply<D>(point.slot_a, more, velocity, change);
-            apply<D>(point.slot_b, -more, velocity, change);
+            apply<D>(point.slot_a, a.inverse_mass, more, velocity, change);
+            apply<D>(point.slot_b, b.inverse_mass, -more, velocity, change);
             largest = std::max(largest, more.norm() / mass);
         }
         if (sweep == 0) first = largest;
@@ -116,19 +175,45 @@ bool is_lumped(const State<D>& state, const ContactGroup<D>& group) {
     return state.contact.points[group.first_point].slot_b < 0;
 }
 
+/// Whether more than two pairs of a group touch and approach (contact paper §3.4).
 template <int D>
-void correct_all(State<D>& state, double carry, std::vector<Pack>& velocity, std::vector<Pack>* change) {
+bool more_than_two_touch(const State<D>& state, const ContactGroup<D>& group, const std::vector<Pack>& velocity) {
+    int count = 0;
+    for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+        const ContactPoint<D>& point = state.contact.points[i];
+        const Vec<D> approach = vector_of<D>(velocity[point.slot_b] - velocity[point.slot_a]);
+        count += point.touching && approach.dot(point.normal) < 0;
+    }
+    return count > 2;
+}
+
+/// Leaves no impulse at points that are not used in this pass.
+template <int D>
+void clear(Contact<D>& contact, Range points) {
+    for (std::int32_t i = points.first; i < points.last; ++i) {
+        contact.points[i].impulse = Vec<D>::Zero();
+        contact.points[i].interface_energy = 0;
+    }
+}
+
+template <int D>
+void correct_group(State<D>& state, ContactGroup<D>& group, const Pass& pass, std::vector<Pack>& velocity,
+                   std::vector<Pack>* change) {
+    const Range own{group.first_point, group.last_point};
+    const Range lumped{group.first_lumped, group.last_lumped};
+    if (is_lumped(state, group)) return correct_lumped(state, group, own, pass, velocity, change);
+    begin_pairs(state, group, pass, velocity);
+    group.uses_lumped = lumped.first < lumped.last && more_than_two_touch(state, group, velocity);
+    if (group.uses_lumped) return correct_lumped(state, group, lumped, pass, velocity, change);
+    clear(state.contact, lumped);
+    correct_pairs(state, group, pass, velocity, change);
+}
+
+template <int D>
+void correct_all(State<D>& state, const Pass& pass, std::vector<Pack>& velocity, std::vector<Pack>* change) {
     const auto n = static_cast<std::ptrdiff_t>(state.contact.groups.size());
 #pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t g = 0; g < n; ++g) {
-        const ContactGroup<D>& group = state.contact.groups[g];
-        if (is_lumped(state, group)) {
-            correct_lumped(state, group, carry, velocity, change);
-        } else {
-            begin_pairs(state, group, carry, velocity);
-            correct_pairs(state, group, velocity, change);
-        }
-    }
+    for (std::ptrdiff_t g = 0; g < n; ++g) correct_group(state, state.contact.groups[g], pass, velocity, change);
 }
 
 /// Groups of pairs with a slot that a wall controls.
@@ -141,7 +226,7 @@ std::vector<std::ptrdiff_t> groups_at_walls(const State<D>& state) {
         const ContactGroup<D>& group = state.contact.groups[g];
         bool any = false;
         for (std::int32_t i = group.first; i < group.last; ++i) any |= controlled[state.contact.active[i]] != 0;
-        if (any && !is_lumped(state, group)) groups.push_back(static_cast<std::ptrdiff_t>(g));
+        if (any && !is_lumped(state, group) && !group.uses_lumped) groups.push_back(static_cast<std::ptrdiff_t>(g));
     }
     return groups;
 }
@@ -155,13 +240,17 @@ void first_contact_pass(State<D>& state) {
         state.nodes.delta_velocity.assign(state.fields.size(), Pack{});
         change = &state.nodes.delta_velocity;
     }
-    correct_all(state, 0, state.nodes.velocity, change);
+    correct_all(state, {}, state.nodes.velocity, change);
+    const bool moves_particles = state.effects.pic && state.transfers;
+    if (!moves_particles) return;
+    for (ContactPoint<D>& point : state.contact.points) point.first_impulse = point.impulse;
 }
 
 template <int D>
 void second_contact_pass(State<D>& state) {
     std::vector<Pack>& velocity = state.nodes.end_velocity;
-    correct_all<D>(state, state.dt, velocity, nullptr);
+    const Pass pass{state.dt, true};
+    correct_all(state, pass, velocity, nullptr);
     if (!state.conditions_on_lumped()) return;
     // Where a body is pressed against a wall and another body, walls and contact take turns until both are satisfied,
     // or nearly: walls have the last word.
@@ -169,7 +258,7 @@ void second_contact_pass(State<D>& state) {
     const std::vector<std::ptrdiff_t> groups = groups_at_walls(state);
     for (int turn = 0; turn < turns && !groups.empty(); ++turn) {
         impose(state.controls, velocity);
-        for (const std::ptrdiff_t g : groups) correct_pairs<D>(state, state.contact.groups[g], velocity, nullptr);
+        for (const std::ptrdiff_t g : groups) correct_pairs<D>(state, state.contact.groups[g], pass, velocity, nullptr);
     }
     impose(state.controls, velocity);
 }
@@ -178,23 +267,8 @@ template <int D>
 void correct_for_contact(State<D>& state, std::vector<Pack>& velocity, std::vector<Pack>* change) {
     if (change) change->assign(state.fields.size(), Pack{});
     const std::vector<ContactPoint<D>> points = state.contact.points;
-    correct_all(state, 0, velocity, change);
+    correct_all(state, {}, velocity, change);
     state.contact.points = points;
-}
-
-template <int D>
-double contact_work(const State<D>& state) {
-    const NodeArrays<D>& nodes = state.nodes;
-    const auto mean_velocity = [&](std::int32_t slot) {
-        return vector_of<D>(0.5 * (nodes.velocity[slot] + nodes.end_velocity[slot]));
-    };
-    double work = 0;
-    for (const ContactPoint<D>& point : state.contact.points) {
-        if (point.impulse.isZero(0)) continue;
-        work += point.impulse.dot(mean_velocity(point.slot_a));
-        if (point.slot_b >= 0) work -= point.impulse.dot(mean_velocity(point.slot_b));
-    }
-    return work;
 }
 
 template void first_contact_pass<2>(State<2>&);
@@ -203,7 +277,5 @@ template void second_contact_pass<2>(State<2>&);
 template void second_contact_pass<3>(State<3>&);
 template void correct_for_contact<2>(State<2>&, std::vector<Pack>&, std::vector<Pack>*);
 template void correct_for_contact<3>(State<3>&, std::vector<Pack>&, std::vector<Pack>*);
-template double contact_work<2>(const State<2>&);
-template double contact_work<3>(const State<3>&);
 
 } // namespace abut

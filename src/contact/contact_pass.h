@@ -20,9 +20,4 @@ void second_contact_pass(State<D>& state);
 template <int D>
 void correct_for_contact(State<D>& state, std::vector<Pack>& velocity, std::vector<Pack>* change);
 
-/// Work of the step's contact impulses on the bodies: impulse times the mean of the velocities at start and end [J].
-/// Negative when friction dissipates.
-template <int D>
-double contact_work(const State<D>& state);
-
 } // namespace abut

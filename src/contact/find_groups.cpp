@@ -1,16 +1,20 @@
 #include "contact/find_contacts.h"
 
+#include "boundary/rigid_body.h"
+
 namespace abut {
 
 namespace {
 
-/// The active body with the most mass but `own`: lumped bodies take the law of that pair.
+/// The rigid body of the group, else the active body with the most mass but `own`: lumped bodies take the law of that
+/// pair.
 template <int D>
 std::int32_t main_partner(const State<D>& state, const ContactGroup<D>& group, std::int32_t own) {
     std::int32_t best = -1;
     for (std::int32_t i = group.first; i < group.last; ++i) {
         const std::int32_t slot = state.contact.active[i];
         if (slot == own) continue;
+        if (is_rigid(state, state.fields.field[slot])) return slot;
         if (best < 0 || state.nodes.momentum[slot][0] > state.nodes.momentum[best][0]) best = slot;
     }
     return best;
@@ -23,6 +27,8 @@ ContactPoint<D> make_point(const State<D>& state, std::int32_t slot_a, std::int3
     point.slot_b = lumped ? -1 : slot_b;
     point.body_a = state.fields.field[slot_a];
     point.body_b = state.fields.field[slot_b];
+    point.rigid_a = is_rigid(state, point.body_a);
+    point.rigid_b = is_rigid(state, point.body_b);
     return point;
 }
 
@@ -34,11 +40,15 @@ void add_points(State<D>& state, ContactGroup<D>& group) {
     const bool lumped = group.last - group.first > 2 && contact.three_or_more == ThreeOrMore::lumped;
     for (std::int32_t i = group.first; i < group.last; ++i) {
         const std::int32_t a = contact.active[i];
-        if (lumped)
-            contact.points.push_back(make_point(state, a, main_partner(state, group, a), true));
-        else
-            for (std::int32_t j = i + 1; j < group.last; ++j)
-                contact.points.push_back(make_point(state, a, contact.active[j], false));
+        if (lumped) {
+            if (!is_rigid(state, state.fields.field[a]))
+                contact.points.push_back(make_point(state, a, main_partner(state, group, a), true));
+            continue;
+        }
+        for (std::int32_t j = i + 1; j < group.last; ++j) {
+            const ContactPoint<D> point = make_point(state, a, contact.active[j], false);
+            if (!point.rigid_a || !point.rigid_b) contact.points.push_back(point);
+        }
     }
     group.last_point = static_cast<std::int32_t>(contact.points.size());
 }
@@ -63,6 +73,10 @@ void find_groups(State<D>& state) {
             continue;
         }
         add_points(state, group);
+        if (group.first_point == group.last_point) { // rigid bodies alone
+            contact.active.resize(group.first);
+            continue;
+        }
         contact.groups.push_back(group);
     }
 }

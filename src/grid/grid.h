@@ -36,6 +36,14 @@ struct Grid {
         for (int a = 0; a < D; ++a) last[a] = grid_margin + cells[a];
         return node_position(last);
     }
+    /// Whether a place lies in the box, or beyond a face by less than a cell: particles at a wall may pass it by a
+    /// little. False for a place that is not a number.
+    bool contains(const Vec<D>& x) const {
+        const Vec<D> lattice = lattice_position(x);
+        for (int a = 0; a < D; ++a)
+            if (!(lattice[a] > grid_margin - 1 && lattice[a] < grid_margin + cells[a] + 1)) return false;
+        return true;
+    }
     int block_count() const {
         int n = 1;
         for (int count : blocks) n *= count;

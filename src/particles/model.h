@@ -9,8 +9,9 @@ namespace abut {
 /// A body of the model: its name, the index of its material in Scene::materials and its initial velocity.
 struct ModelBody {
     std::string name;
-    int material = 0;
+    int material = 0; ///< -1: none, it is rigid
     InitialVelocity velocity;
+    std::optional<RigidSpec> rigid{};
 };
 
 /// Material points before the first step, as geometry makes them: one entry a particle in each array.

@@ -26,13 +26,16 @@ Particles<D> make_particles(const Model& model, const Scene& scene) {
     if constexpr (D == 2)
         for (std::size_t p = 0; p < model.angle.size(); ++p)
             particles.deformation_gradient[p] = Eigen::Rotation2Dd(model.angle[p]).toRotationMatrix();
+    // Rigid particles have a mass as if of the densest material, to weigh what they extrapolate; no force moves it.
+    double densest = 0;
+    for (const MaterialSpec& material : scene.materials) densest = std::max(densest, material.density);
     for (std::size_t p = 0; p < n; ++p) {
         const ModelBody& body = model.bodies[model.body[p]];
         const Vec<D> half_size = to_vec<D>(model.half_size[p]);
         const double volume = (2 * half_size).prod() * depth_of(scene, model.position[p]);
         particles.position.push_back(to_vec<D>(model.position[p]));
         particles.velocity.push_back(to_vec<D>(body.velocity.at(model.position[p])));
-        particles.mass.push_back(scene.materials[body.material].density * volume);
+        particles.mass.push_back((body.rigid ? densest : scene.materials[body.material].density) * volume);
         particles.volume.push_back(volume);
         particles.half_size.push_back(half_size);
         particles.body.push_back(model.body[p]);

@@ -1,5 +1,6 @@
 #include "plan/effects.h"
 
+#include "contact/law/contact_law.h"
 #include "shape/dispatch.h"
 
 #include <algorithm>
@@ -8,14 +9,19 @@ namespace abut {
 
 namespace {
 
-bool is_perfect(const LawSpec& law) {
-    return law.type == LawType::perfect;
+/// Whether a law that is in use is as asked.
+template <class Test>
+bool any_law(const ContactSpec& contact, Test&& test) {
+    return test(contact.law) || std::any_of(contact.laws.begin(), contact.laws.end(),
+                                            [&](const PairLawSpec& pair) { return test(pair.law); });
 }
 
-/// Perfect interfaces need neither normal nor separation.
-bool all_perfect(const ContactSpec& contact) {
-    return is_perfect(contact.law) && std::all_of(contact.laws.begin(), contact.laws.end(),
-                                                  [](const PairLawSpec& pair) { return is_perfect(pair.law); });
+bool any_rigid(const Scene& scene) {
+    const auto is_rigid = [](const auto& body) { return body.rigid.has_value(); };
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(), is_rigid) ||
+           std::any_of(scene.images.begin(), scene.images.end(), [&](const ImageSpec& image) {
+               return std::any_of(image.legend.begin(), image.legend.end(), is_rigid);
+           });
 }
 
 } // namespace
@@ -26,6 +32,8 @@ Effects effects_of(const Scene& scene) {
     const bool filters = transfer.scheme == TransferScheme::xpic || transfer.scheme == TransferScheme::fmpm;
     effects.extra_orders = filters ? transfer.order - 1 : 0;
     effects.fmpm = transfer.scheme == TransferScheme::fmpm && effects.extra_orders > 0;
+    effects.pic = transfer.scheme != TransferScheme::flip && effects.extra_orders == 0;
+    effects.rigid = any_rigid(scene);
     effects.periodic = transfer.every_cfl.has_value() && transfer.scheme != TransferScheme::flip;
     const StressUpdate update = scene.method.stress_update;
     effects.stress_last = update != StressUpdate::usf;
@@ -45,10 +53,15 @@ Effects effects_of(const Scene& scene) {
         const ContactSpec& contact = *scene.contact;
         effects.contact = true;
         effects.delta_velocity = effects.extra_orders > 0 && contact.corrections == 2;
-        if (!all_perfect(contact)) {
+        // Perfect interfaces need neither normal nor separation.
+        if (any_law(contact, [](const LawSpec& law) { return law.type != LawType::perfect; })) {
+            effects.interfaces = any_law(contact, [](const LawSpec& law) { return is_interface(law); });
+            effects.displacements |= effects.interfaces;
+            effects.volumes |= any_law(contact, needs_area);
             effects.contact_strain = effects.fmpm;
             effects.regression = contact.normal == NormalMethod::logistic_regression;
-            effects.gradients = contact.normal == NormalMethod::average_gradient;
+            effects.gradients =
+                contact.normal == NormalMethod::average_gradient || (effects.rigid && contact.rigid_bias > 0);
             effects.clouds = effects.regression || contact.separation == SeparationMethod::particle_edges;
             effects.positions = contact.separation == SeparationMethod::critical_position ||
                                 contact.separation == SeparationMethod::fitted_position;

@@ -14,6 +14,9 @@ struct Effects {
     bool displacements = false;  ///< extrapolated displacements at contact nodes: interfaces, separations
     bool positions = false;      ///< extrapolated positions at contact nodes: grid separations
     bool delta_velocity = false; ///< Δv of the first contact pass is kept: XPIC and FMPM of order 2 and more
+    bool pic = false;            ///< particles take their velocities from the grid, not changes of them
+    bool rigid = false;          ///< bodies whose motion is prescribed
+    bool interfaces = false;     ///< contact laws that store energy
     int extra_orders = 0;        ///< gather-scatter sweeps of XPIC and FMPM: order - 1
     bool fmpm = false;           ///< grid velocities by the full mass matrix, order 2 and more
     bool contact_strain = false; ///< FMPM with contact: particles deform by other velocities than they move by

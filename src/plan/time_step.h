@@ -14,4 +14,15 @@ namespace abut {
 /// energy, rounded down; see examples/two-block-impact.
 double cfl_limit(const Scene& scene);
 
+/// Largest stiffness of a contact law's springs, across or along the interface; 0 if it has none [Pa/m].
+double largest_stiffness(const LawSpec& law);
+
+/// Largest time step that carries springs of a stiffness D at nodes full of the lightest material, where the reduced
+/// mass is ρ Δx³/2 and the area Δx²: κ Δt < π/2, hence Δt < (π/2) √(ρ Δx / 2D) (notes 5.35-5.38). At nodes with less
+/// mass the springs are too stiff for such a step as well, and the bodies stick there [s].
+double interface_step_limit(const Scene& scene, double stiffness);
+
+/// The scene's time step while its materials are at rest [s].
+double initial_step(const Scene& scene);
+
 } // namespace abut

@@ -1,5 +1,7 @@
 #include "results/frames.h"
 
+#include "boundary/rigid_body.h"
+#include "contact/contact_totals.h"
 #include "contact/find_contacts.h"
 #include "step/tasks.h"
 
@@ -29,6 +31,13 @@ std::array<double, 6> cauchy(const Stress<D>& tau, double J) {
     return s;
 }
 
+template <int D>
+double point_area(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
+                  const std::vector<Pack>& gradients) {
+    return contact_area<D>(vector_of<D>(gradients[point.slot_a]),
+                           vector_of<D>(of_other_side(state, group, point, gradients)), point.normal);
+}
+
 double von_mises(const std::array<double, 6>& s) {
     const double xy = s[0] - s[1];
     const double yz = s[1] - s[2];
@@ -51,6 +60,7 @@ void look(State<D>& state) {
     if (state.effects.clouds) gather_clouds(state);
     if (state.effects.contact_fields()) extrapolate_contact_fields(state);
     if (state.effects.clouds || state.effects.gradients) find_normals_and_separations(state);
+    if (state.effects.volumes) find_areas_and_displacements(state);
 
     std::map<std::tuple<Index<D>, std::int32_t, std::int32_t>, const ContactPoint<D>*> last_points;
     for (const ContactGroup<D>& group : last.groups)
@@ -91,7 +101,7 @@ PointFrame particle_frame(const State<D>& state) {
         mises.push_back(von_mises(s));
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) F.push_back(i < D && j < D ? f(i, j) : (i == j ? across : 0.0));
-        mass.push_back(particles.mass[p]);
+        mass.push_back(is_rigid(state, particles.body[p]) ? 0 : particles.mass[p]);
         volume.push_back(J * particles.volume[p]);
         body.push_back(particles.body[p]);
         id.push_back(particles.id[p]);
@@ -168,6 +178,21 @@ GridFrame grid_frame(const State<D>& state) {
 }
 
 template <int D>
+std::map<std::pair<std::int32_t, std::int32_t>, double> contact_areas(State<D>& state) {
+    look(state);
+    std::map<std::pair<std::int32_t, std::int32_t>, double> areas;
+    const std::vector<Pack> gradients = volume_gradients(state);
+    for (const ContactGroup<D>& group : state.contact.groups)
+        for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+            const ContactPoint<D>& point = state.contact.points[i];
+            if (point.impulse.isZero(0)) continue;
+            const double share = point.slot_b < 0 ? 0.5 : 1; // lumped: both bodies have a point
+            areas[std::minmax(point.body_a, point.body_b)] += share * point_area(state, group, point, gradients);
+        }
+    return areas;
+}
+
+template <int D>
 PointFrame contact_frame(State<D>& state) {
     PointFrame frame;
     frame.time = state.time;
@@ -175,19 +200,15 @@ PointFrame contact_frame(State<D>& state) {
     std::vector<std::int32_t> in_contact, body_a, body_b, cloud_size, iterations;
     std::vector<Pack> gradients = volume_gradients(state);
     for (const ContactGroup<D>& group : state.contact.groups) {
-        Vec<D> total = Vec<D>::Zero();
-        for (std::int32_t i = group.first; i < group.last; ++i)
-            total += vector_of<D>(gradients[state.contact.active[i]]);
         for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
             const ContactPoint<D>& point = state.contact.points[i];
-            const Vec<D> own = vector_of<D>(gradients[point.slot_a]);
             append(frame.points, to_array<D>(state.grid.node_position(group.node)));
             append(normal, to_array<D>(point.normal));
             separation.push_back(point.separation);
-            in_contact.push_back(point.touching && !point.impulse.isZero(0));
+            in_contact.push_back(!point.impulse.isZero(0));
             body_a.push_back(point.body_a);
             body_b.push_back(point.body_b);
-            area.push_back(std::abs(0.5 * (own - (total - own)).dot(point.normal)));
+            area.push_back(point_area(state, group, point, gradients));
             append(force, to_array<D>(state.dt > 0 ? Vec<D>(point.impulse / state.dt) : Vec<D>::Zero()));
             cloud_size.push_back(point.cloud_size);
             iterations.push_back(point.iterations);
@@ -208,6 +229,8 @@ template PointFrame particle_frame<2>(const State<2>&);
 template PointFrame particle_frame<3>(const State<3>&);
 template GridFrame grid_frame<2>(const State<2>&);
 template GridFrame grid_frame<3>(const State<3>&);
+template std::map<std::pair<std::int32_t, std::int32_t>, double> contact_areas<2>(State<2>&);
+template std::map<std::pair<std::int32_t, std::int32_t>, double> contact_areas<3>(State<3>&);
 template PointFrame contact_frame<2>(State<2>&);
 template PointFrame contact_frame<3>(State<3>&);
 

@@ -1,6 +1,8 @@
 #include "results/history.h"
 
+#include "boundary/rigid_body.h"
 #include "grid/parallel.h"
+#include "results/frames.h"
 
 namespace abut {
 
@@ -43,7 +45,7 @@ double Totals::angular_velocity_z() const {
 namespace {
 
 template <int D>
-Totals particle_totals(const State<D>& state, std::int32_t p, const Law& law) {
+Totals particle_totals(const State<D>& state, std::int32_t p, const Law* law) {
     const Particles<D>& particles = state.particles;
     const Vector x = to_array<D>(particles.position[p]);
     const Vector v = to_array<D>(particles.velocity[p]);
@@ -58,8 +60,9 @@ Totals particle_totals(const State<D>& state, std::int32_t p, const Law& law) {
         t.momentum[a] = t.mass * v[a];
         t.kinetic_energy += 0.5 * t.mass * v[a] * v[a];
     }
+    if (!law) return t; // rigid
     t.strain_energy =
-        particles.volume[p] * std::visit([&](const auto& l) { return l.template energy<D>(strain); }, law);
+        particles.volume[p] * std::visit([&](const auto& l) { return l.template energy<D>(strain); }, *law);
     // V σ = V0 τ
     for (int c = 0; c < 4; ++c) t.stress_volume[c] = particles.volume[p] * particles.stress[p][c];
     return t;
@@ -72,8 +75,9 @@ std::vector<Totals> body_totals(State<D>& state) {
     std::vector<Totals> by_tile(state.tiling.tiles.size());
     for_each_tile(state.tiling, [&](const Tile<D>& tile) {
         Totals& sum = by_tile[&tile - state.tiling.tiles.data()];
+        const bool rigid = is_rigid(state, tile.body);
         for (std::int32_t p = tile.first; p < tile.last; ++p)
-            sum += particle_totals(state, p, state.material_of(tile.body).law);
+            sum += particle_totals(state, p, rigid ? nullptr : &state.material_of(tile.body).law);
     });
     std::vector<Totals> by_body(state.bodies.size());
     for (std::size_t t = 0; t < by_tile.size(); ++t) by_body[state.tiling.tiles[t].body] += by_tile[t];
@@ -87,8 +91,17 @@ std::vector<std::string> history_columns(const State<D>& state) {
                                         "external_work",  "contact_work",   "momentum_x",
                                         "momentum_y",     "momentum_z",     "mean_stress_xx",
                                         "mean_stress_yy", "mean_stress_zz", "mean_stress_xy"};
-    for (const Boundary& boundary : state.boundaries)
-        for (const char* axis : {"_x", "_y", "_z"}) columns.push_back("force_" + boundary.name + axis);
+    const auto add_vector = [&](const std::string& name) {
+        for (const char* axis : {"_x", "_y", "_z"}) columns.push_back(name + axis);
+    };
+    for (const Boundary& boundary : state.boundaries) add_vector("force_" + boundary.name);
+    for (const ModelBody& body : state.bodies) {
+        if (!body.rigid) continue;
+        add_vector("force_" + body.name);
+        add_vector("torque_" + body.name);
+    }
+    if (state.effects.contact) columns.push_back("friction_work");
+    if (state.effects.interfaces) columns.push_back("interface_energy");
     return columns;
 }
 
@@ -106,11 +119,48 @@ std::vector<double> history_row(State<D>& state, const Totals& all, double inter
                                all.momentum[1],
                                all.momentum[2]};
     for (const double stress : all.mean_stress()) row.push_back(stress);
-    for (Boundary& boundary : state.boundaries) {
-        for (const double impulse : boundary.impulse) row.push_back(interval > 0 ? impulse / interval : 0);
-        boundary.impulse = {};
+    const auto add_force = [&](Vector& impulse) {
+        for (const double component : impulse) row.push_back(interval > 0 ? component / interval : 0);
+        impulse = {};
+    };
+    for (Boundary& boundary : state.boundaries) add_force(boundary.impulse);
+    for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+        if (!state.bodies[b].rigid) continue;
+        RigidTotals& totals = state.rigid_totals[static_cast<std::int32_t>(b)];
+        add_force(totals.impulse);
+        add_force(totals.angular_impulse);
     }
+    if (state.effects.contact) row.push_back(state.ledger.friction_work);
+    if (state.effects.interfaces) row.push_back(state.ledger.interface_energy);
     return row;
+}
+
+template <int D>
+Totals deformable_totals(const State<D>& state, const std::vector<Totals>& by_body) {
+    Totals all;
+    for (std::size_t b = 0; b < by_body.size(); ++b)
+        if (!state.bodies[b].rigid) all += by_body[b];
+    return all;
+}
+
+std::vector<std::string> pair_columns() {
+    return {"force_x", "force_y", "force_z", "area", "work", "friction_work", "interface_energy"};
+}
+
+template <int D>
+std::vector<PairRow> pair_rows(State<D>& state, double interval) {
+    std::map<std::pair<std::int32_t, std::int32_t>, double> areas;
+    if (!state.pair_totals.empty()) areas = contact_areas(state);
+    std::vector<PairRow> rows;
+    for (auto& [bodies, totals] : state.pair_totals) {
+        PairRow row{bodies.first, bodies.second, {}};
+        for (const double impulse : totals.impulse) row.values.push_back(interval > 0 ? impulse / interval : 0);
+        row.values.insert(row.values.end(),
+                          {areas[bodies], totals.work, totals.friction_work, totals.interface_energy});
+        rows.push_back(std::move(row));
+    }
+    state.pair_totals.clear();
+    return rows;
 }
 
 std::vector<std::string> body_columns() {
@@ -130,18 +180,18 @@ std::vector<std::string> body_columns() {
             "angular_velocity_z"};
 }
 
-std::vector<double> body_row(const Totals& totals) {
+std::vector<double> body_row(const Totals& totals, bool rigid) {
     const Vector x = totals.center();
     const Vector v = totals.mean_velocity();
     const std::array<double, 4> stress = totals.mean_stress();
-    return {totals.mass,
+    return {rigid ? 0 : totals.mass,
             x[0],
             x[1],
             x[2],
             v[0],
             v[1],
             v[2],
-            totals.kinetic_energy,
+            rigid ? 0 : totals.kinetic_energy,
             totals.strain_energy,
             stress[0],
             stress[1],
@@ -150,6 +200,10 @@ std::vector<double> body_row(const Totals& totals) {
             totals.angular_velocity_z()};
 }
 
+template Totals deformable_totals<2>(const State<2>&, const std::vector<Totals>&);
+template Totals deformable_totals<3>(const State<3>&, const std::vector<Totals>&);
+template std::vector<PairRow> pair_rows<2>(State<2>&, double);
+template std::vector<PairRow> pair_rows<3>(State<3>&, double);
 template std::vector<Totals> body_totals<2>(State<2>&);
 template std::vector<Totals> body_totals<3>(State<3>&);
 template std::vector<std::string> history_columns<2>(const State<2>&);

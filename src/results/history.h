@@ -41,8 +41,27 @@ std::vector<std::string> history_columns(const State<D>& state);
 template <int D>
 std::vector<double> history_row(State<D>& state, const Totals& all, double interval);
 
+/// Totals of all bodies that deform: rigid ones have neither mass nor energy.
+template <int D>
+Totals deformable_totals(const State<D>& state, const std::vector<Totals>& by_body);
+
 /// Names of bodies.csv's columns and one row of them, without the body's name.
 std::vector<std::string> body_columns();
-std::vector<double> body_row(const Totals& totals);
+std::vector<double> body_row(const Totals& totals, bool rigid = false);
+
+/// A row of pairs.csv without the names of the bodies.
+struct PairRow {
+    std::int32_t body_a, body_b; ///< a < b
+    std::vector<double> values;
+};
+
+/// Names of pairs.csv's columns, without those of step, time and bodies: mean force on a since the previous row [N],
+/// contact area at present [m^2], work of the contact on both bodies and its part along the interface since then [J],
+/// energy that their interface holds [J].
+std::vector<std::string> pair_columns();
+
+/// The rows of pairs.csv: all pairs that have been in contact since the last call; it starts the next interval.
+template <int D>
+std::vector<PairRow> pair_rows(State<D>& state, double interval);
 
 } // namespace abut

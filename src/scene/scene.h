@@ -144,10 +144,19 @@ struct InitialVelocity {
     bool operator==(const InitialVelocity&) const = default;
 };
 
+/// Prescribed motion of a body that does not deform and that no force moves (notes 4.2.4).
+struct RigidSpec {
+    std::array<TimeFunction, 3> velocity{}; ///< of its centre [m/s]
+    TimeFunction angular_velocity;          ///< about `axis` through its centre, counter-clockwise [rad/s]
+    Vector axis{0, 0, 1};                   ///< of any length but 0; z in plane scenes
+    std::optional<Vector> center;           ///< at time 0 [m]; not given: the centre of its volume
+};
+
 /// Particles that share one velocity field.
 struct BodySpec {
     std::string name;
-    std::string material;
+    std::string material; ///< empty if it is rigid
+    std::optional<RigidSpec> rigid;
     ShapeSpec shape;
     InitialVelocity velocity;
     int particles_per_cell = 2; ///< per axis
@@ -160,7 +169,8 @@ struct LegendEntry {
     int tolerance = 0;        ///< largest difference per channel that still matches
     bool is_void = false;     ///< no material; the members below are then unused
     std::string body;
-    std::string material;
+    std::string material; ///< empty if the body is rigid
+    std::optional<RigidSpec> rigid;
     Vector velocity{};
 };
 
@@ -183,11 +193,35 @@ enum class ThreeOrMore {
     lumped,   ///< each body against all the others as one (contact paper Eq. 50); does not conserve momentum exactly
     explicit_ ///< every touching pair with its own normal, all pairs at once
 };
-enum class LawType { frictionless, friction, stick, perfect };
+enum class LawType {
+    frictionless,
+    friction, ///< Coulomb's
+    stick,    ///< no sliding while pressed together
+    perfect,  ///< bonded: one body
+    adhesion, ///< bonded while touching up to a strength, friction beyond
+    viscous_friction,
+    linear_interface,   ///< springs between the bodies (notes 5.3)
+    bilinear_interface, ///< springs that differ in tension and compression (notes 5.5, 5.6)
+    cohesive_interface  ///< elastic traction law with a peak (notes 5.4)
+};
 
 struct LawSpec {
     LawType type = LawType::frictionless;
-    double coefficient = 0; ///< Coulomb's, `friction` only
+    double coefficient = 0;                   ///< µ of friction, viscous friction and adhesion that has failed
+    std::optional<double> static_coefficient; ///< friction: at rest; not given: as `coefficient`
+    double decay_velocity = 0;                ///< friction: over which the static one decays [m/s]; 0: at once
+    double viscosity = 0;                     ///< viscous friction: shear traction by sliding velocity [Pa s/m]
+    std::optional<double> contact_stiffness;  ///< (friction, frictionless) softened contact [Pa/m], notes 5.7
+
+    double strength = 0;       ///< tensile: of adhesion, and the peak of a cohesive interface [Pa]
+    double shear_strength = 0; ///< the same in shear [Pa]
+    double reach = 0.1;        ///< adhesion: separation up to which bodies touch [cells]
+
+    double tension_stiffness = 0;                ///< D_nt of interfaces [Pa/m]
+    std::optional<double> compression_stiffness; ///< D_nc [Pa/m]; not given: bodies don't penetrate
+    double tangential_stiffness = 0;             ///< D_t [Pa/m]
+    double opening = 0;                          ///< cohesive: separation at the peak [m]
+    double sliding = 0;                          ///< cohesive: sliding displacement at the peak [m]
 };
 
 struct PairLawSpec {
@@ -209,6 +243,9 @@ struct ContactSpec {
     /// its sliding velocity at the start of the step is kept. Forces that few particles spread over a node where they
     /// have next to no mass would else throw them along the interface.
     double screening = 1e-3;
+    /// At a rigid body the normal is its own volume gradient's where that, times this, is at least as large as the
+    /// other body's (notes 3.5); 0: never.
+    double rigid_bias = 0;
     LawSpec law; ///< of every pair not named in `laws`
     std::vector<PairLawSpec> laws;
 };
@@ -259,6 +296,7 @@ struct OutputSpec {
     bool particles = true;
     bool grid = true;
     bool contact = true; ///< used by scenes with contact only
+    bool pairs = true;   ///< likewise: pairs.csv
 };
 
 /// All of a scene file.

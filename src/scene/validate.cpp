@@ -64,7 +64,7 @@ void check_legends(const Scene& scene, Problems& problems) {
             const LegendEntry& colour = legend[j];
             const std::string pointer = entry(entry("/images", i) + "/legend", j);
             if (colour.is_void) continue;
-            check_material(colour.material, scene, pointer, problems);
+            if (!colour.rigid) check_material(colour.material, scene, pointer, problems);
             if (colour.body.empty()) continue;
             for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
                 if (scene.bodies[k].name == colour.body)
@@ -120,6 +120,10 @@ void check_tractions(const Scene& scene, Problems& problems) {
     if (is_one_of("", known)) return;
     for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {
         const auto* traction = std::get_if<TractionSpec>(&scene.boundaries[i].condition);
+        for (const BodySpec& body : scene.bodies)
+            if (traction && body.rigid && body.name == traction->body)
+                problems.push_back(
+                    {entry("/boundaries", i) + "/traction/body", "\"" + body.name + "\" is rigid: no force moves it"});
         if (traction && !traction->body.empty() && !is_one_of(traction->body, known))
             problems.push_back({entry("/boundaries", i) + "/traction/body", unknown("body", traction->body, known)});
     }
@@ -130,7 +134,7 @@ void check_tractions(const Scene& scene, Problems& problems) {
 std::vector<Problem> validate_names(const Scene& scene) {
     Problems problems;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        check_material(scene.bodies[i].material, scene, entry("/bodies", i), problems);
+        if (!scene.bodies[i].rigid) check_material(scene.bodies[i].material, scene, entry("/bodies", i), problems);
     check_unique(scene.bodies, "/bodies", problems);
     check_legends(scene, problems);
     check_pair_laws(scene, problems);

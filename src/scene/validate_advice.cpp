@@ -1,4 +1,6 @@
+#include "plan/time_step.h"
 #include "scene/validate.h"
+#include "scene/validate_parts.h"
 
 #include <string>
 
@@ -21,6 +23,21 @@ void advise_walls(const Scene& scene, Problems& advice) {
     }
 }
 
+/// Springs that the time step can't carry (notes 5.3.2, item 5).
+void advise_interface(const Scene& scene, const LawSpec& law, const std::string& pointer, Problems& advice) {
+    const double stiffness = largest_stiffness(law);
+    if (stiffness == 0) return;
+    const double limit = interface_step_limit(scene, stiffness);
+    const double step = initial_step(scene);
+    if (step < limit) return;
+    advice.push_back({pointer, "a stiffness of " + with_unit(stiffness, "Pa/m") + " needs a time step below " +
+                                   with_unit(limit, "s") + ", and it is " + with_unit(step, "s") +
+                                   ": the bodies will stick as if bonded (" +
+                                   (law.contact_stiffness ? "hard contact" : "in compression and tension") +
+                                   ") where these springs act; take smaller steps, larger cells, or less than " +
+                                   with_unit(stiffness * limit * limit / (step * step), "Pa/m")});
+}
+
 } // namespace
 
 Problems advice(const Scene& scene) {
@@ -38,6 +55,11 @@ Problems advice(const Scene& scene) {
                           "nodes with next to no mass is mostly noise (the two-block impact loses ten times the energy "
                           "of other shapes); use \"b2spline\", which costs as little, or \"ugimp\""});
     advise_walls(scene, advice);
+    if (scene.contact) {
+        advise_interface(scene, scene.contact->law, "/contact/law", advice);
+        for (std::size_t i = 0; i < scene.contact->laws.size(); ++i)
+            advise_interface(scene, scene.contact->laws[i].law, "/contact/laws/" + std::to_string(i) + "/law", advice);
+    }
     return advice;
 }
 

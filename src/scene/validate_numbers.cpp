@@ -83,15 +83,6 @@ void check_materials(const Scene& scene, Problems& problems) {
     }
 }
 
-void check_contact(const ContactSpec& contact, Problems& problems) {
-    demand(contact.corrections == 1 || contact.corrections == 2, "/contact/corrections", "must be 1 or 2", problems);
-    demand(contact.law.coefficient >= 0, "/contact/law/coefficient", "must not be negative", problems);
-    for (std::size_t i = 0; i < contact.laws.size(); ++i) {
-        demand(contact.laws[i].law.coefficient >= 0, "/contact/laws/" + std::to_string(i) + "/law/coefficient",
-               "must not be negative", problems);
-    }
-}
-
 } // namespace
 
 std::string with_unit(double value, const char* unit) {
@@ -113,7 +104,7 @@ std::vector<Problem> validate_numbers(const Scene& scene) {
     check_method(scene, problems);
     check_materials(scene, problems);
     validate_matter(scene, problems);
-    if (scene.contact) check_contact(*scene.contact, problems);
+    validate_contact(scene, problems);
     validate_boundaries(scene, problems);
     demand(scene.output.every >= 0, "/output/every", "must not be negative", problems);
     if (scene.output.history_every)

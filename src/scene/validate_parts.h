@@ -34,6 +34,9 @@ inline std::size_t axes(const Scene& scene) {
 /// Bodies and images: sizes and places.
 void validate_matter(const Scene& scene, std::vector<Problem>& problems);
 
+/// Contact laws: their constants; rigid bodies: what they need.
+void validate_contact(const Scene& scene, std::vector<Problem>& problems);
+
 /// Boundary conditions: axes, places and movements.
 void validate_boundaries(const Scene& scene, std::vector<Problem>& problems);
 

@@ -1,3 +1,4 @@
+#include "boundary/rigid_body.h"
 #include "grid/parallel.h"
 #include "shape/dispatch.h"
 #include "step/tasks.h"
@@ -16,6 +17,7 @@ void sweep(State<D>& state, const std::vector<Pack>& u, std::vector<Pack>& round
     with_stencils(state, [&](auto source) {
         using Source = decltype(source);
         for_each_tile_by_colour(state.tiling, [&](const Tile<D>& tile) {
+            if (is_rigid(state, tile.body)) return;
             auto stencils = state.template stencils<Source>(tile);
             for (std::int32_t p = tile.first; p < tile.last; ++p) {
                 const StencilView<D> s = stencils.values_of(p);
@@ -64,7 +66,7 @@ void find_deforming_velocities(State<D>& state) {
     nodes.deforming = nodes.filtered;
     for (const ContactPoint<D>& point : state.contact.points) {
         if (point.impulse.isZero(0)) continue;
-        if (state.contact.laws.between(point.body_a, point.body_b).type == LawType::perfect) continue;
+        if (is_perfect(state.contact.laws.between(point.body_a, point.body_b))) continue;
         nodes.deforming[point.slot_a] = nodes.end_velocity[point.slot_a];
         if (point.slot_b >= 0) nodes.deforming[point.slot_b] = nodes.end_velocity[point.slot_b];
     }

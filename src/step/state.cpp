@@ -1,5 +1,7 @@
 #include "step/state.h"
 
+#include "boundary/rigid_motion.h"
+
 #include <algorithm>
 
 namespace abut {
@@ -8,7 +10,7 @@ namespace {
 
 LawTable law_table(const ContactSpec& contact, const std::vector<ModelBody>& bodies) {
     LawTable table;
-    table.standard = contact.law;
+    table.standard = make_contact_law(contact.law);
     const auto index = [&](const std::string& name) {
         const auto found =
             std::find_if(bodies.begin(), bodies.end(), [&](const ModelBody& body) { return body.name == name; });
@@ -16,9 +18,26 @@ LawTable law_table(const ContactSpec& contact, const std::vector<ModelBody>& bod
     };
     for (const PairLawSpec& pair : contact.laws) {
         auto [a, b] = std::minmax(index(pair.bodies[0]), index(pair.bodies[1]));
-        table.pairs.push_back({a, b, pair.law});
+        table.pairs.push_back({a, b, make_contact_law(pair.law)});
     }
+    std::sort(table.pairs.begin(), table.pairs.end(), [](const LawTable::Pair& x, const LawTable::Pair& y) {
+        return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+    });
     return table;
+}
+
+Vector center_of_volume(const Model& model, int body) {
+    Vector moment{};
+    double volume = 0;
+    for (std::size_t p = 0; p < model.size(); ++p) {
+        if (model.body[p] != body) continue;
+        const Vector& h = model.half_size[p];
+        const double v = h[0] * h[1] * (h[2] > 0 ? h[2] : 1);
+        for (std::size_t a = 0; a < 3; ++a) moment[a] += v * model.position[p][a];
+        volume += v;
+    }
+    for (double& m : moment) m /= volume;
+    return moment;
 }
 
 } // namespace
@@ -49,7 +68,15 @@ State<D> make_state(const Scene& scene, const Model& model) {
             state.traction_faces.insert(state.traction_faces.end(), faces.begin(), faces.end());
         }
     }
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        if (std::optional<RigidSpec>& rigid = state.bodies[b].rigid; rigid && !rigid->center)
+            rigid->center = center_of_volume(model, static_cast<int>(b));
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        if (const std::optional<RigidSpec>& rigid = state.bodies[state.particles.body[p]].rigid)
+            state.particles.velocity[p] =
+                to_vec<D>(rigid_velocity(*rigid, to_array<D>(state.particles.position[p]), 0));
     for (const ModelBody& body : model.bodies) {
+        if (body.rigid) continue;
         const Material& material = state.materials[body.material];
         const double stiffness = std::visit(
             [](const auto& law) { return law.template stiffness<D>(strain_of<D>(Mat<D>::Identity())); }, material.law);

@@ -10,6 +10,8 @@
 #include "plan/effects.h"
 #include "shape/stencil_store.h"
 
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace abut {
@@ -32,8 +34,24 @@ struct NodeArrays {
 
 /// Sums since the start of the run, for the energy balance.
 struct Ledger {
-    double external_work = 0; ///< of boundaries and gravity [J]
-    double contact_work = 0;  ///< of both contact passes [J]
+    double external_work = 0;    ///< of boundaries and gravity [J]
+    double contact_work = 0;     ///< of the contact forces on all bodies together [J]
+    double friction_work = 0;    ///< the part of it along the interfaces, but of springs between bodies [J]
+    double interface_energy = 0; ///< stored in springs between bodies, at present [J] (Effects::interfaces)
+};
+
+/// What two bodies have done to each other since the last row of pairs.csv.
+struct PairTotals {
+    Vector impulse{};            ///< on the body with the lower number [N s]
+    double work = 0;             ///< of the contact forces on both [J]
+    double friction_work = 0;    ///< the part of it along the interface [J]
+    double interface_energy = 0; ///< stored at the end of the last step [J]
+};
+
+/// What contact has given to a rigid body since the last row of history.csv.
+struct RigidTotals {
+    Vector impulse{};         ///< [N s]
+    Vector angular_impulse{}; ///< about its centre [N m s]
 };
 
 /// Everything that a run changes.
@@ -56,8 +74,11 @@ struct State {
     std::vector<TractionFace> traction_faces;
     std::vector<ShapedFace<D>> shaped_faces; ///< the same at the beginning of the present step
     Ledger ledger;
-    double time = 0; ///< [s]
-    double dt = 0;   ///< of the present step [s]
+    std::map<std::pair<std::int32_t, std::int32_t>, PairTotals>
+        pair_totals;                                  ///< by bodies a < b that have been in contact
+    std::map<std::int32_t, RigidTotals> rigid_totals; ///< by body
+    double time = 0;                                  ///< [s]
+    double dt = 0;                                    ///< of the present step [s]
     long step = 0;
     double largest_wave_speed = 0; ///< over all particles, of the present state [m/s]
     double since_transfer = 0;     ///< time since the last step with the scheme's transfer [s] (Effects::periodic)

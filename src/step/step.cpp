@@ -1,6 +1,8 @@
 #include "step/step.h"
 
+#include "boundary/rigid_body.h"
 #include "contact/contact_pass.h"
+#include "contact/contact_totals.h"
 #include "contact/find_contacts.h"
 #include "plan/time_step.h"
 #include "step/run_error.h"
@@ -58,6 +60,9 @@ std::vector<Task<D>> step_tasks(const Scene& scene) {
         extrapolate_contact_fields<D>);
     add(effects.clouds || effects.gradients, "find normals and separations", "an interface is not perfect",
         find_normals_and_separations<D>);
+    add(effects.volumes, "find contact areas",
+        effects.displacements ? "an interface law needs areas and displacements" : "a contact law needs areas",
+        find_areas_and_displacements<D>);
     add(effects.contact && scene.contact->corrections == 2, "first contact pass",
         "extrapolated velocities must obey contact", first_contact_pass<D>);
     add(first, "update stress", effects.stress_last ? "first half (usavg)" : "stress is updated first (usf)",
@@ -74,6 +79,7 @@ std::vector<Task<D>> step_tasks(const Scene& scene) {
         settle_works<D>);
     add(true, effects.stress_last && !again ? "update particles and stress" : "update particles", "always",
         update_particles<D>);
+    add(effects.rigid, "move rigid bodies", "the scene prescribes motions", move_rigid_bodies<D>);
     add(again, "update stress again", "velocities extrapolated anew (usl+, usavg+)", update_stress_again<D>);
     return tasks;
 }

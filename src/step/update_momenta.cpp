@@ -1,4 +1,5 @@
-#include "contact/contact_pass.h"
+#include "boundary/rigid_body.h"
+#include "contact/contact_totals.h"
 #include "step/tasks.h"
 
 namespace abut {
@@ -19,6 +20,7 @@ void divide_by_mass(const std::vector<Pack>& momentum, std::vector<Pack>& veloci
 template <int D>
 void find_velocities(State<D>& state) {
     divide_by_mass(state.nodes.momentum, state.nodes.velocity);
+    if (state.effects.rigid) set_rigid_velocities(state, state.time, state.nodes.velocity);
 }
 
 template <int D>
@@ -37,6 +39,9 @@ void find_controls(State<D>& state) {
         }
     }
     if (!only_walls) make_orthogonal(controls, state.fields.size());
+    if (state.effects.rigid)
+        std::erase_if(controls,
+                      [&](const Control& control) { return is_rigid(state, state.fields.field[control.slot]); });
     if constexpr (D == 2)
         if (state.effects.ring) control_axis(state.grid, state.fields, controls);
 }
@@ -52,6 +57,7 @@ void update_momenta(State<D>& state) {
         const Pack v = state.nodes.velocity[slot];
         state.nodes.end_velocity[slot] = v[0] > 0 ? v + dt * (state.nodes.force[slot] / v[0] + gravity) : v;
     }
+    if (state.effects.rigid) set_rigid_velocities(state, state.time + dt, state.nodes.end_velocity);
 }
 
 template <int D>
@@ -63,11 +69,12 @@ template <int D>
 void settle_works(State<D>& state) {
     const NodeArrays<D>& nodes = state.nodes;
     state.ledger.external_work += settle(state.controls, state.boundaries);
-    if (state.effects.contact) state.ledger.contact_work += contact_work(state);
+    if (state.effects.contact) settle_contact(state);
     if (!state.effects.gravity && !state.effects.tractions) return;
     const Pack gravity = pack<D>(0, to_vec<D>(state.scene.gravity));
     double work = 0;
     for (std::size_t slot = 0; slot < nodes.velocity.size(); ++slot) {
+        if (is_rigid(state, state.fields.field[slot])) continue;
         Pack force = nodes.velocity[slot][0] * gravity;
         if (state.effects.tractions) force += nodes.traction[slot];
         work += dot(force, nodes.velocity[slot] + nodes.end_velocity[slot]);

@@ -1,3 +1,4 @@
+#include "boundary/rigid_body.h"
 #include "contact/contact_pass.h"
 #include "grid/parallel.h"
 #include "step/run_error.h"
@@ -21,15 +22,6 @@ struct Failures {
     }
 };
 
-template <int D>
-bool is_inside(const Grid<D>& grid, const Vec<D>& x) {
-    // A particle at a wall may pass the box's face by a little.
-    const Vec<D> lattice = grid.lattice_position(x);
-    for (int a = 0; a < D; ++a)
-        if (!(lattice[a] > grid_margin - 1 && lattice[a] < grid_margin + grid.cells[a] + 1)) return false;
-    return true;
-}
-
 /// A ring on the wrong side of the axis would have negative mass at nodes.
 template <int D>
 bool has_crossed_axis(const State<D>& state, std::int32_t p) {
@@ -38,12 +30,12 @@ bool has_crossed_axis(const State<D>& state, std::int32_t p) {
 
 template <int D>
 bool is_in_place(const State<D>& state, std::int32_t p) {
-    return is_inside(state.grid, state.particles.position[p]) && !has_crossed_axis(state, p);
+    return state.grid.contains(state.particles.position[p]) && !has_crossed_axis(state, p);
 }
 
 template <int D>
 std::string what_failed(const State<D>& state, std::int32_t p) {
-    if (!is_inside(state.grid, state.particles.position[p]))
+    if (!state.grid.contains(state.particles.position[p]))
         return "the particle left the grid (or its position is not a number)";
     if (has_crossed_axis(state, p))
         return "the particle crossed the axis r = 0; a smaller time step or more cells near the axis may help";
@@ -142,6 +134,7 @@ void run(State<D>& state, const Sweep<D>& sweep) {
     const auto with_extra = [&](auto extra) {
         with_stencils(state, [&](auto source) {
             for_each_tile(state.tiling, [&](const Tile<D>& tile) {
+                if (is_rigid(state, tile.body)) return;
                 const std::size_t t = &tile - state.tiling.tiles.data();
                 const double stiffest =
                     sweep_tile<D, decltype(source), decltype(extra)::value>(state, sweep, tile, failures.particle[t]);
@@ -216,6 +209,7 @@ void update_stress_again(State<D>& state) {
     extrapolate_momenta(state);
     std::vector<Pack> lumped;
     divide_by_mass(state.nodes.momentum, lumped);
+    if (state.effects.rigid) set_rigid_velocities(state, state.time + state.dt, lumped);
     std::vector<Pack> delta;
     if (state.effects.contact)
         correct_for_contact(state, lumped, state.effects.fmpm && state.transfers ? &delta : nullptr);

@@ -1,6 +1,6 @@
 #include "support.h"
 
-#include "contact/law/law.h"
+#include "contact/law/contact_law.h"
 #include "contact/separation/separation.h"
 
 #include <Eigen/Dense>
@@ -23,8 +23,15 @@ struct Node {
         vb = {in(random), in(random)};
         n = Vec<2>(in(random), in(random)).normalized();
         // Δp(0) = m_a (v_cm − v_a)
-        const Vec<2> stick = ma * ((ma * va + mb * vb) / (ma + mb) - va);
-        impulse = law_impulse<2>(law, stick, n, touching);
+        Meeting<2> at;
+        at.stick = ma * ((ma * va + mb * vb) / (ma + mb) - va);
+        at.normal = n;
+        at.mass = ma * mb / (ma + mb);
+        at.dt = 0.1;
+        at.area = 0.7;
+        at.cell = 1;
+        at.separation = touching ? -1 : 1;
+        impulse = apply_law<2>(make_contact_law(law), at).impulse;
     }
     Vec<2> before() const { return vb - va; }
     Vec<2> after() const { return vb - impulse / mb - va - impulse / ma; }
@@ -100,13 +107,14 @@ TEST(Laws, CoulombFrictionSticksOrSlidesAtItsLimit) {
 
 TEST(Laws, TheTableKnowsPairsInEitherOrder) {
     LawTable table;
-    table.standard = {LawType::friction, 0.1};
-    table.pairs = {{0, 2, {LawType::stick, 0}}, {1, 3, {LawType::perfect, 0}}};
-    EXPECT_EQ(table.between(0, 2).type, LawType::stick);
-    EXPECT_EQ(table.between(2, 0).type, LawType::stick);
-    EXPECT_EQ(table.between(3, 1).type, LawType::perfect);
-    EXPECT_EQ(table.between(0, 1).type, LawType::friction);
-    EXPECT_EQ(table.between(2, 3).coefficient, 0.1);
+    table.standard = Friction{0.1, 0.1};
+    table.pairs = {{0, 2, Stick{}}, {0, 5, ViscousFriction{0.3, 2}}, {1, 3, Perfect{}}};
+    EXPECT_TRUE(std::holds_alternative<Stick>(table.between(0, 2)));
+    EXPECT_TRUE(std::holds_alternative<Stick>(table.between(2, 0)));
+    EXPECT_TRUE(std::holds_alternative<ViscousFriction>(table.between(5, 0)));
+    EXPECT_TRUE(is_perfect(table.between(3, 1)));
+    EXPECT_TRUE(std::holds_alternative<Friction>(table.between(0, 1)));
+    EXPECT_EQ(std::get<Friction>(table.between(2, 3)).kinetic, 0.1);
 }
 
 /// The largest extent along n of the ellipsoid inscribed in a particle, by sampling its outline.

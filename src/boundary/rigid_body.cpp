@@ -1,0 +1,54 @@
+#include "boundary/rigid_body.h"
+
+#include "grid/parallel.h"
+#include "step/run_error.h"
+
+namespace abut {
+
+template <int D>
+void set_rigid_velocities(const State<D>& state, double time, std::vector<Pack>& velocity) {
+    const auto n = static_cast<std::ptrdiff_t>(state.fields.blocks.size());
+#pragma omp parallel for schedule(dynamic, 16)
+    for (std::ptrdiff_t b = 0; b < n; ++b) {
+        const auto& block = state.fields.blocks[b];
+        for (std::size_t local = 0; local < nodes_per_block<D>; ++local)
+            for (std::int32_t slot = block.first_slot[local]; slot < block.first_slot[local + 1]; ++slot) {
+                const std::int32_t body = state.fields.field[slot];
+                if (!is_rigid(state, body)) continue;
+                const Vec<D> x = state.grid.node_position(block.node(static_cast<int>(local)));
+                const Vector v = rigid_velocity(*state.bodies[body].rigid, to_array<D>(x), time);
+                velocity[slot] = pack<D>(velocity[slot][0], to_vec<D>(v));
+            }
+    }
+}
+
+template <int D>
+void move_rigid_bodies(State<D>& state) {
+    Particles<D>& particles = state.particles;
+    const double time = state.time + state.dt;
+    std::vector<std::int32_t> outside(state.tiling.tiles.size(), -1);
+    for_each_tile(state.tiling, [&](const Tile<D>& tile) {
+        if (!is_rigid(state, tile.body)) return;
+        const RigidSpec& rigid = *state.bodies[tile.body].rigid;
+        const Mat<D> turned = rigid_rotation(rigid, state.time, time).template topLeftCorner<D, D>();
+        for (std::int32_t p = tile.first; p < tile.last; ++p) {
+            const Vector x0 = to_array<D>(state.initial_position[particles.id[p]]);
+            const Vector x = rigid_position(rigid, x0, time);
+            particles.position[p] = to_vec<D>(x);
+            particles.velocity[p] = to_vec<D>(rigid_velocity(rigid, x, time));
+            if (!rigid.angular_velocity.is_zero())
+                particles.deformation_gradient[p] = turned * particles.deformation_gradient[p];
+            std::int32_t& first = outside[&tile - state.tiling.tiles.data()];
+            if (first < 0 && !state.grid.contains(particles.position[p])) first = p;
+        }
+    });
+    for (const std::int32_t p : outside)
+        if (p >= 0) throw RunError(describe_failure(state, p, "the rigid body left the grid"));
+}
+
+template void set_rigid_velocities<2>(const State<2>&, double, std::vector<Pack>&);
+template void set_rigid_velocities<3>(const State<3>&, double, std::vector<Pack>&);
+template void move_rigid_bodies<2>(State<2>&);
+template void move_rigid_bodies<3>(State<3>&);
+
+} // namespace abut

@@ -1,0 +1,34 @@
+#pragma once
+#include "contact/law/friction.h"
+
+namespace abut {
+
+/// Bodies that touch hold together like one up to a strength. In tension the traction may reach (T/T_s)² + (S/S_s)² =
+/// 1; under pressure, where friction helps, S <= S_s + µ N. Beyond that they slide or part by Coulomb's law in this
+/// step. The bond has no memory: bodies that come to rest on one another hold again.
+struct Adhesion {
+    double strength = 0;       ///< T_s [Pa]
+    double shear_strength = 0; ///< S_s [Pa]
+    double reach = 0;          ///< separation within which bodies count as touching [cells]
+    Friction friction{};
+    static constexpr bool needs_area = true;
+
+    bool holds(double tension, double shear) const {
+        if (tension <= 0) return shear <= shear_strength - friction.kinetic * tension;
+        if (tension > strength || shear > shear_strength) return false;
+        const double t = tension / strength;
+        const double s = shear > 0 ? shear / shear_strength : 0;
+        return t * t + s * s <= 1;
+    }
+};
+
+template <int D>
+Vec<D> law_impulse(const Adhesion& law, const Meeting<D>& at) {
+    if (!(at.separation < law.reach * at.cell)) return Vec<D>::Zero();
+    const double area_step = at.area * at.dt;
+    const double tangential = at.tangential().norm();
+    if (area_step > 0 && law.holds(-at.compression() / area_step, tangential / area_step)) return at.stick;
+    return law_impulse(law.friction, at);
+}
+
+} // namespace abut
