@@ -77,6 +77,11 @@ std::string default_of(const Key& key) {
 }
 
 std::string meaning_of(const Key& key) {
+    if (!key.unless.empty()) {
+        Key rest = key;
+        rest.unless.clear();
+        return fmt::format("{} Not with `{}`.", meaning_of(rest), key.unless);
+    }
     if (!key.only_with) return key.meaning;
     const OnlyWith& only = *key.only_with;
     if (only.values.empty()) return fmt::format("{} Only with `{}`.", key.meaning, only.name());

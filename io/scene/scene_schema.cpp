@@ -152,6 +152,7 @@ Json object_schema(const SpecificationNode& node) {
         properties[child.name] = node_schema(child);
         if (key.required && !key.only_with && key.unless.empty()) required.push_back(child.name);
         if (key.required && !key.only_with && !key.unless.empty()) rules.push_back(require(key, child.name));
+        if (!key.required && !key.unless.empty()) rules.push_back({{"not", require({child.name, key.unless})}});
         if (key.only_with && !key.only_with->of_scene()) rules.push_back(only_with_schema(node, child));
     }
     for (const Group* group : node.groups) rules.push_back(group_schema(*group));

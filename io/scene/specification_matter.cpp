@@ -151,10 +151,12 @@ std::vector<Key> body_keys() {
          .kind = Kind::vector,
          .dimension = dimensions::velocity,
          .otherwise = "[0, 0]",
+         .unless = "rigid",
          .meaning = "Initial velocity of all its particles."},
         {.path = "/bodies/#/velocity_gradient",
          .kind = Kind::matrix,
          .dimension = dimensions::rate,
+         .unless = "rigid",
          .meaning = "Gradient L of the initial velocity, row by row: a particle at x begins with `velocity` + "
                     "L (x − `velocity_center`)."},
         {.path = "/bodies/#/velocity_center",
@@ -246,6 +248,7 @@ std::vector<Key> image_keys() {
          .dimension = dimensions::velocity,
          .otherwise = "[0, 0]",
          .only_with = OnlyWith{"void", {"false"}},
+         .unless = "rigid",
          .meaning = "Initial velocity of all its particles."},
     };
 }

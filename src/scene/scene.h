@@ -207,21 +207,21 @@ enum class LawType {
 
 struct LawSpec {
     LawType type = LawType::frictionless;
-    double coefficient = 0;                   ///< µ of friction, viscous friction and adhesion that has failed
-    std::optional<double> static_coefficient; ///< friction: at rest; not given: as `coefficient`
-    double decay_velocity = 0;                ///< friction: over which the static one decays [m/s]; 0: at once
-    double viscosity = 0;                     ///< viscous friction: shear traction by sliding velocity [Pa s/m]
-    std::optional<double> contact_stiffness;  ///< (friction, frictionless) softened contact [Pa/m], notes 5.7
+    double coefficient = 0;                     ///< µ of friction, viscous friction and adhesion that has failed
+    std::optional<double> static_coefficient{}; ///< friction: at rest; not given: as `coefficient`
+    double decay_velocity = 0;                  ///< friction: over which the static one decays [m/s]; 0: at once
+    double viscosity = 0;                       ///< viscous friction: shear traction by sliding velocity [Pa s/m]
+    std::optional<double> contact_stiffness{};  ///< (friction, frictionless) softened contact [Pa/m], notes 5.7
 
     double strength = 0;       ///< tensile: of adhesion, and the peak of a cohesive interface [Pa]
     double shear_strength = 0; ///< the same in shear [Pa]
     double reach = 0.1;        ///< adhesion: separation up to which bodies touch [cells]
 
-    double tension_stiffness = 0;                ///< D_nt of interfaces [Pa/m]
-    std::optional<double> compression_stiffness; ///< D_nc [Pa/m]; not given: bodies don't penetrate
-    double tangential_stiffness = 0;             ///< D_t [Pa/m]
-    double opening = 0;                          ///< cohesive: separation at the peak [m]
-    double sliding = 0;                          ///< cohesive: sliding displacement at the peak [m]
+    double tension_stiffness = 0;                  ///< D_nt of interfaces [Pa/m]
+    std::optional<double> compression_stiffness{}; ///< D_nc [Pa/m]; not given: bodies don't penetrate
+    double tangential_stiffness = 0;               ///< D_t [Pa/m]
+    double opening = 0;                            ///< cohesive: separation at the peak [m]
+    double sliding = 0;                            ///< cohesive: sliding displacement at the peak [m]
 };
 
 struct PairLawSpec {

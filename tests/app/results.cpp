@@ -66,7 +66,7 @@ TEST_F(Results, HistoryHasTheColumnsOfTheContract) {
     EXPECT_THAT(history.front(), ElementsAre("step", "time", "dt", "kinetic_energy", "strain_energy", "total_energy",
                                              "external_work", "contact_work", "momentum_x", "momentum_y", "momentum_z",
                                              "mean_stress_xx", "mean_stress_yy", "mean_stress_zz", "mean_stress_xy",
-                                             "force_floor_x", "force_floor_y", "force_floor_z"));
+                                             "force_floor_x", "force_floor_y", "force_floor_z", "friction_work"));
     ASSERT_GT(history.size(), 30U); // 40 intervals; a step is 3 us
     EXPECT_EQ(history[1][1], "0");
     EXPECT_DOUBLE_EQ(std::stod(history.back()[1]), 0.4e-3);

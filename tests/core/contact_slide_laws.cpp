@@ -143,13 +143,13 @@ TEST(SlideLaws, AdhesionHoldsUpToItsStrengths) {
 
 TEST(SlideLaws, SoftenedContactPushesByItsSprings) {
     LawSpec spec = law(LawType::friction, 0.25);
-    spec.contact_stiffness = 5e3;
+    spec.contact_stiffness = 5;
     Meeting<2> at = meeting(0, 3);
     at.second_pass = true;
     at.separation_at_start = -1e-3;
     at.start = at.stick;
     // Slow springs: the impulse is D_c times overlap, area and time.
-    EXPECT_NEAR(impulse_of(spec, at)[1], -5e3 * 1e-3 * area * dt, 2e-3 * 5e3 * 1e-3 * area * dt);
+    EXPECT_NEAR(impulse_of(spec, at)[1], -5 * 1e-3 * area * dt, 2e-3 * 5 * 1e-3 * area * dt);
     EXPECT_NEAR(impulse_of(spec, at)[0], 0.25 * -impulse_of(spec, at)[1], 1e-15);
     at.separation_at_start = 1e-3;
     EXPECT_TRUE(impulse_of(spec, at).isZero(0)) << "apart";

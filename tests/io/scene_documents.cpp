@@ -51,6 +51,34 @@ TEST(SceneTable, IsWellFormed) {
     EXPECT_TRUE(has_key(has_key, scene_specification())); // a path with a mistyped parent would leave a hole
 }
 
+/// The example with every contact law and with rigid bodies.
+Json scene_of_laws() {
+    Json scene = parsed(example);
+    scene["contact"]["law"] =
+        parsed(R"({"type": "friction", "coefficient": 0.2, "static_coefficient": 0.3, "decay_velocity": "1 m/s",
+                   "contact_stiffness": "2 GPa/mm"})");
+    scene["contact"]["rigid_bias"] = 2;
+    const auto add = [&](const char* law) {
+        scene["contact"]["laws"].push_back({{"bodies", {"block", "egg"}}, {"law", parsed(law)}});
+    };
+    add(R"({"type": "frictionless", "contact_stiffness": 1e9})");
+    add(R"({"type": "viscous-friction", "coefficient": 0, "viscosity": "10 Pa*s/mm"})");
+    add(R"({"type": "adhesion", "coefficient": 0.1, "strength": "1 MPa", "shear_strength": 2e6, "reach": 0.05})");
+    add(R"({"type": "linear-interface", "normal_stiffness": "1 TPa/m", "tangential_stiffness": 0})");
+    add(R"({"type": "bilinear-interface", "tension_stiffness": 0, "tangential_stiffness": 1,
+            "compression_stiffness": "1 MPa/um"})");
+    add(R"({"type": "cohesive-interface", "strength": "1 MPa", "shear_strength": 1e6, "opening": "1 um",
+            "sliding": "2 um", "compression_stiffness": 1e12})");
+    scene["bodies"][1].erase("material"); // it has no initial velocity
+    scene["bodies"][1]["rigid"] = parsed(R"({"velocity": ["1 m/s", {"times": [0, 1e-6], "values": [0, 1]}],
+                                              "angular_velocity": "30 deg/s", "center": [0, "1 mm"]})");
+    scene["images"][0]["legend"][1].erase("material");
+    scene["images"][0]["legend"][1].erase("velocity");
+    scene["images"][0]["legend"][1]["rigid"] = Json::object();
+    scene["output"]["pairs"] = false;
+    return scene;
+}
+
 /// Good scenes that together use every key.
 std::vector<Json> good_scenes() {
     std::vector<Json> scenes{parsed(example)};
@@ -60,6 +88,7 @@ std::vector<Json> good_scenes() {
     other["method"] = parsed(R"({"transfer": {"scheme": "pic"}})");
     other["grid"]["cell"] = parsed(R"(["10 um", "10 um"])");
     scenes.push_back(other);
+    scenes.push_back(scene_of_laws());
     scenes.push_back(parsed(example_3d));
     scenes.push_back(parsed(example_axisymmetric));
     scenes.push_back(parsed(load(example).resolved));
@@ -123,10 +152,12 @@ void mutate(Json& scene, std::mt19937& random) {
     const auto pick = [&random](const auto& list) { return list[random() % list.size()]; };
     const Pointer at = pick(pointers);
     Json& value = scene[at];
-    static const std::vector<std::string> extra{
-        "unknown", "step",     "cfl",       "order",           "offset",   "exponent", "coefficient", "disk",
-        "size",    "rgb",      "velocity",  "bulk_modulus",    "wall",     "later",    "ball",        "thickness",
-        "images",  "position", "every_cfl", "velocity_center", "traction", "pressure", "pulse",       "times"};
+    static const std::vector<std::string> extra{"unknown",   "step",         "cfl",      "order",     "offset",
+                                                "exponent",  "coefficient",  "disk",     "size",      "rgb",
+                                                "velocity",  "bulk_modulus", "wall",     "later",     "ball",
+                                                "thickness", "rigid",        "material", "strength",  "center",
+                                                "reach",     "images",       "position", "every_cfl", "velocity_center",
+                                                "traction",  "pressure",     "pulse",    "times"};
     if (random() % 2 == 0 && value.is_object()) {
         value[pick(extra)] = pick(wrong_values);
     } else if (random() % 2 == 0 && !at.empty() && scene[at.parent_pointer()].is_object()) {

@@ -94,6 +94,63 @@ TEST(SceneMeaning, ImagesWallsAndMaterials) {
     });
 }
 
+TEST(SceneMeaning, ContactLawsAndRigidBodies) {
+    expect_problems({
+        {"/contact/law/coefficient", "-0.1", "/contact/law/coefficient", "at least 0"},
+        {"/contact/law", R"({"type": "friction", "coefficient": 0.3, "static_coefficient": 0.2})",
+         "/contact/law/static_coefficient", "must not be less than the coefficient while sliding"},
+        {"/contact/law", R"({"type": "linear-interface", "normal_stiffness": "3 GPa", "tangential_stiffness": 1})",
+         "/contact/law/normal_stiffness", "a stiffness of an interface (Pa/m) is needed"},
+        {"/contact/law", R"({"type": "adhesion", "coefficient": 0, "strength": 0, "shear_strength": 1})",
+         "/contact/law/strength", "greater than 0"},
+    });
+    Json scene = parsed(example);
+    scene["bodies"][0].erase("material");
+    scene["bodies"][0]["rigid"] = parsed(R"({"velocity": ["1 m/s", 0]})");
+    EXPECT_THAT(problems_of(scene.dump()),
+                testing::ElementsAre(IsProblem("/bodies/0/velocity", "does not go with \"rigid\"")));
+    scene["bodies"][0].erase("velocity");
+    EXPECT_THAT(problems_of(scene.dump()), testing::IsEmpty());
+    scene["boundaries"].push_back(
+        parsed(R"({"name": "load", "traction": {"body": "block", "axis": "x", "side": "lower", "pressure": 1}})"));
+    EXPECT_THAT(problems_of(scene.dump()), testing::ElementsAre(IsProblem("/boundaries/2/traction/body",
+                                                                          "\"block\" is rigid: no force moves it")));
+    scene["boundaries"].erase(2);
+    scene["contact"].erase("laws");
+    scene.erase("contact");
+    EXPECT_THAT(problems_of(scene.dump()), testing::ElementsAre(IsProblem("/bodies/0/rigid", "add \"contact\"")));
+
+    Json axisymmetric = parsed(example_axisymmetric);
+    axisymmetric["contact"] = Json::object();
+    for (Json& body : axisymmetric["bodies"]) {
+        body.erase("material");
+        body.erase("velocity_gradient");
+        body["rigid"] = parsed(R"({"velocity": ["1 m/s", 0], "angular_velocity": 1})");
+    }
+    axisymmetric.erase("boundaries");
+    const std::string problems = in_lines(problems_of(axisymmetric.dump()));
+    EXPECT_THAT(problems, testing::HasSubstr("can't move along x, the radius"));
+    EXPECT_THAT(problems, testing::HasSubstr("can't turn in the plane"));
+    EXPECT_THAT(problems, testing::HasSubstr("all bodies are rigid"));
+}
+
+TEST(SceneMeaning, InterfacesTooStiffForTheStepAreAdvisedAgainst) {
+    Json scene = parsed(example);
+    scene["contact"].erase("laws");
+    const auto advice_for = [&](const char* stiffness) {
+        scene["contact"]["law"] = {
+            {"type", "linear-interface"}, {"normal_stiffness", stiffness}, {"tangential_stiffness", 0}};
+        return advice(load(scene.dump()).scene);
+    };
+    EXPECT_THAT(advice_for("1 GPa/mm"), testing::IsEmpty());
+    // κ Δt < π/2 with m = ρ Δx/2 per area: D < (π/2)² ρ Δx/(2 Δt²), Δt = 0.4 Δx/c with the faster material's c.
+    const double c = std::sqrt((133.333e9 + 4.0 / 3 * 80e9) / 7800), step = 0.4 * 14.3e-6 / std::max(c, 6430.0);
+    const double limit = std::pow(M_PI / 2, 2) * 2780 * 14.3e-6 / (2 * step * step);
+    EXPECT_THAT(advice_for(fmt::format("{} Pa/m", 0.9 * limit).c_str()), testing::IsEmpty());
+    EXPECT_THAT(advice_for(fmt::format("{} Pa/m", 1.1 * limit).c_str()),
+                testing::ElementsAre(IsProblem("/contact/law", "the bodies will stick as if bonded")));
+}
+
 TEST(SceneMeaning, MeaningProblemsComeTogether) {
     Json scene = parsed(example);
     scene["bodies"][0]["material"] = "steal";

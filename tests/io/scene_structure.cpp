@@ -99,7 +99,6 @@ TEST(SceneStructure, NotInThisVersion) {
         {"/contact/normal", R"("specified")", "/contact/normal", not_available},
         {"/contact/direction", "[1, 0]", "/contact/direction", not_available},
         {"/contact/separation", R"("displacement")", "/contact/separation", not_available},
-        {"/contact/laws/0/law/type", R"("linear-interface")", "/contact/laws/0/law/type", not_available},
         {"/output/checkpoint_every", R"("2 us")", "/output/checkpoint_every", not_available},
     });
 }
@@ -135,6 +134,15 @@ TEST(SceneStructure, KeysThatGoTogether) {
         {"/contact/separation", R"("none")", "/contact/offset", "only goes with \"separation\": \"critical-position\""},
         {"/contact/exponent", "0.5", "/contact/exponent", "only goes with \"separation\": \"fitted-position\""},
         {"/contact/laws/0/law/coefficient", "0.5", "/contact/laws/0/law/coefficient", "here it is \"perfect\""},
+        {"/contact/law/viscosity", "3", "/contact/law/viscosity",
+         "only goes with \"type\": \"viscous-friction\"; here it is \"friction\""},
+        {"/contact/law", R"({"type": "linear-interface", "normal_stiffness": 1})", "/contact/law/tangential_stiffness",
+         "required and missing"},
+        {"/contact/law", R"({"type": "adhesion", "coefficient": 0, "strength": 1})", "/contact/law/shear_strength",
+         "required and missing"},
+        {"/bodies/1/rigid", "{}", "/bodies/1/material", "does not go with \"rigid\""},
+        {"/bodies/0/material", "", "/bodies/0/material", "required and missing"},
+        {"/images/0/legend/0/material", "", "/images/0/legend/0/material", "required and missing"},
         {"/images/0/legend/2/body", R"("x")", "/images/0/legend/2/body",
          "only goes with \"void\": false; here it is true"},
     });

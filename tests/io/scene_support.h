@@ -86,7 +86,9 @@ inline const std::string example_3d = R"({
     { "name": "brick", "material": "clay", "box": { "lower": [0, 0, 0], "upper": ["5 cm", "6 cm", "4 cm"] },
       "velocity": [0, 0, "1 mm/s"], "velocity_gradient": [[0, "-2 1/s", 0], [2, 0, 0], [0, 0, "3 Hz"]],
       "velocity_center": ["2.5 cm", "3 cm", 0] },
-    { "name": "ball", "material": "clay", "ball": { "center": ["7 cm", "7 cm", 0], "radius": "2 cm" } }
+    { "name": "ball", "material": "clay", "ball": { "center": ["7 cm", "7 cm", 0], "radius": "2 cm" } },
+    { "name": "tool", "rigid": { "angular_velocity": { "times": [0, 1], "values": [0, "2 rad/s"] }, "axis": [0, 1, 1] },
+      "ball": { "center": ["2 cm", "8 cm", 0], "radius": "1 cm" } }
   ],
   "boundaries": [
     { "name": "lid", "wall": { "axis": "z", "side": "upper", "position": "4 cm", "gradient": "estimated",
@@ -99,6 +101,7 @@ inline const std::string example_3d = R"({
     { "name": "push", "traction": { "body": "ball", "axis": "y", "side": "lower",
                                     "pressure": { "times": [0, 1], "values": ["1 kPa", 0] } } }
   ],
+  "contact": {},
   "gravity": [0, 0, "-9.81 m/s^2"]
 })";
 

@@ -30,26 +30,64 @@ Stiffness stiffness_at(const Component& component, const Meeting<D>& at, double 
     return slope > 0 ? Stiffness::sticks : Stiffness::debonds;
 }
 
-/// One component of a step by the first-order method of notes 5.4: the traction at the mean displacement
-/// <δ> = δ(0) − F(δ(0)) A Δt²/6m + d Δt/2m + f Δt²/6m (5.57) acts through the step (5.58). The notes average it with
-/// F(δ(0)) (5.59); but that force makes energy, as (5.19) does (see oscillator.h): on a linear spring its steps have
-/// the determinant 1 + φ²/4, with (5.58) alone 1 − φ⁴/12. \param start δ(0); \param velocity at the start; \param
-/// acceleration without the interface \return impulse [N s] and δ at the end of the step; \param state what the step
-/// can carry
+/// The first-order method of the notes (5.57-5.59): the mean of the traction at δ(0) and that at the mean displacement
+/// <δ> = δ(0) − F(δ(0)) A Δt²/6m + d Δt/2m + f Δt²/6m. The solver doesn't use it: on a linear spring its steps have the
+/// determinant 1 + φ²/4, it makes energy (see oscillator.h). \return f_INT Δt [N s]
 template <int D, class Component>
-std::pair<double, double> first_order_step(const Component& component, const Meeting<D>& at, double start,
-                                           double velocity, double acceleration, Stiffness& state) {
+double first_order_impulse(const Component& component, const Meeting<D>& at, double start, double velocity,
+                           double acceleration) {
     const double dt = at.dt;
-    const double own = component.traction(start) * at.area / at.mass; // deceleration by the interface at the start
+    const double own = component.traction(start) * at.area / at.mass;
     const double mean = start + velocity * dt / 2 + (acceleration - own) * dt * dt / 6;
+    return 0.5 * (component.traction(start) + component.traction(mean)) * at.area * dt;
+}
+
+/// One component of a step, with exactly the energy that the bodies lose: J = A Δt (E(δ') − E(δ))/(δ' − δ), where
+/// δ' = δ + Δt (d + d'')/2m as particles move, d'' = d + f Δt − J. For the linear spring this is the trapezoidal rule.
+/// The equation for δ' is solved by bisection: F' Δt² A/m < (π/2)² where the step carries it, so that there is one
+/// solution close to where the bodies would go freely.
+/// \param start δ(0); \param velocity δ'(0); \param acceleration without the interface
+/// \return impulse [N s] and δ at the end of the step
+template <int D, class Component>
+std::pair<double, double> conserving_step(const Component& component, const Meeting<D>& at, double start,
+                                          double velocity, double acceleration) {
+    const double dt = at.dt;
+    const double free = start + velocity * dt + 0.5 * acceleration * dt * dt;
+    const auto impulse = [&](double end) {
+        const double way = end - start;
+        const double mean = std::abs(way) > 1e-6 * component.peak
+                                ? (component.energy(end) - component.energy(start)) / way
+                                : component.traction(0.5 * (start + end));
+        return at.area * dt * mean;
+    };
+    const auto beyond = [&](double end) { return end - free + 0.5 * dt / at.mass * impulse(end); };
+    // The springs pull back by at most this much.
+    const double most = 0.5 * dt * dt / at.mass * at.area * component.strength;
+    double low = free - most, high = free + most;
+    double end = free;
+    for (int i = 0; i < 60; ++i) {
+        end = 0.5 * (low + high);
+        if (end <= low || end >= high) break;
+        (beyond(end) > 0 ? high : low) = end;
+    }
+    return {impulse(end), end};
+}
+
+/// One component of a step, as far as the step can carry the interface's slope.
+/// \param updated m δ'(0) + f Δt: what would stop the bodies \param state what they do
+template <int D, class Component>
+std::pair<double, double> cohesive_step(const Component& component, const Meeting<D>& at, double start, double velocity,
+                                        double updated, Stiffness& state) {
+    const double acceleration = (updated / at.mass - velocity) / at.dt;
+    const double end_if_free = start + at.dt * (velocity + 0.5 * acceleration * at.dt);
     state = stiffness_at(component, at, start);
-    if (state == Stiffness::carried) state = stiffness_at(component, at, mean);
-    const double updated = at.mass * (velocity + acceleration * dt);
-    double impulse = 0;
-    if (state == Stiffness::sticks) impulse = updated;
-    if (state == Stiffness::carried) impulse = component.traction(mean) * at.area * dt;
-    const double end = start + dt * (velocity + acceleration * dt / 2) - impulse * dt / (2 * at.mass);
-    return {impulse, end};
+    if (state == Stiffness::carried) {
+        const auto step = conserving_step(component, at, start, velocity, acceleration);
+        state = stiffness_at(component, at, step.second);
+        if (state == Stiffness::carried) return step;
+    }
+    if (state == Stiffness::sticks) return {updated, start + 0.5 * velocity * at.dt};
+    return {0, end_if_free};
 }
 
 /// A cohesive interface: cohesions across and along it, springs or no penetration in compression.
@@ -70,14 +108,13 @@ InterfaceStep<D> interface_step(const CohesiveInterface& law, const Meeting<D>& 
     const double opening = at.discontinuity.dot(at.normal);
     const double updated = at.stick.dot(at.normal);
     const double u = at.start.dot(at.normal) / at.mass;
-    const double a = (updated / at.mass - u) / dt;
     const bool opens = opening > 0 || updated > 0;
     if (!opens) {
         const auto [impulse, end] = normal_step(at, 0, law.compression, opening);
         step.impulse += impulse * at.normal;
         if (!std::isinf(law.compression)) step.energy += 0.5 * at.area * law.compression * end * end;
     } else {
-        auto [impulse, end] = first_order_step(law.normal, at, std::max(opening, 0.0), u, a, state);
+        auto [impulse, end] = cohesive_step(law.normal, at, std::max(opening, 0.0), u, updated, state);
         if (!at.second_pass) impulse = state == Stiffness::sticks ? updated : 0;
         // Bodies that meet within the step don't pass each other.
         if (at.second_pass && end < 0) impulse = std::isinf(law.compression) ? updated : impulse;
@@ -93,8 +130,7 @@ InterfaceStep<D> interface_step(const CohesiveInterface& law, const Meeting<D>& 
     if (length == 0) return step;
     way /= length;
     const double v = at.start.dot(way) / at.mass;
-    auto [impulse, end] =
-        first_order_step(law.tangential, at, sliding.dot(way), v, (along.dot(way) / at.mass - v) / dt, state);
+    auto [impulse, end] = cohesive_step(law.tangential, at, sliding.dot(way), v, along.dot(way), state);
     if (state == Stiffness::sticks)
         step.impulse += along;
     else if (at.second_pass)

@@ -52,8 +52,11 @@ std::pair<double, double> normal_step(const Meeting<D>& at, double tension, doub
     const double velocity = at.start.dot(at.normal) / at.mass;
     const double acceleration = (updated / at.mass - velocity) / at.dt;
     const Oscillation from{presses ? std::max(start, 0.0) : start, velocity};
-    const Oscillation end = swing(from, springs, acceleration, at.dt);
-    return {spring_impulse(end, at.mass, updated), end.displacement};
+    const Swing swung = swing(from, springs, acceleration, at.dt);
+    if (!swung.same_spring) return {integrated_impulse(swung.end, at.mass, updated), swung.end.displacement};
+    const double phi = (opens ? springs.tension : springs.compression) * at.dt;
+    const double d = at.start.dot(at.normal);
+    return {spring_impulse(phi, from.displacement, d, updated - d, at.mass, at.dt), swung.end.displacement};
 }
 
 template <int D>
@@ -73,9 +76,8 @@ InterfaceStep<D> interface_step(const LinearInterface& law, const Meeting<D>& at
         const Vec<D> start = at.start - at.start.dot(at.normal) * at.normal;
         const double phi = kappa * at.dt;
         const Vec<D> gained = updated - start; // f Δt
-        const Vec<D> end = std::cos(phi) * start + sine_ratio(phi) * gained -
-                           (at.mass * kappa * phi * sine_ratio(phi)) * sliding; // m u(Δt)
-        step.impulse += updated - end;
+        step.impulse += (1 - std::cos(phi)) * (2 * at.mass / at.dt * sliding + start) +
+                        (1 - 2 * versine_ratio(phi)) * gained; // as spring_impulse()
         sliding_at_end =
             std::cos(phi) * sliding + at.dt / at.mass * (sine_ratio(phi) * start + versine_ratio(phi) * gained);
     }

@@ -4,13 +4,16 @@
 /// component of the displacement discontinuity δ, m the reduced mass, f the force that the step would apply without the
 /// interface. Normal components may have different stiffnesses in tension (δ > 0) and compression, or be perfect there.
 ///
-/// What the step needs of it is the impulse J = ∫ F dt, after which the bodies have the velocity that the motion gives
-/// them at its end: m u(Δt) = d' − J. The notes add the constant force that leads to the right displacement instead,
-/// f_INT Δt = 2 [m (δ(0) − δ(Δt))/Δt + d'] − f Δt (5.19). The two differ by O(φ²), φ = κ Δt. Particles move by the mean
-/// of the velocities at start and end, so that with (5.19) a node pair on a linear spring steps by a matrix of
-/// determinant 2 sin φ/φ − cos φ = 1 + φ²/6 + ...: its oscillation grows by φ²/12 a step and the run makes energy. With
-/// J the determinant is cos φ + φ sin φ/2 = 1 − φ⁴/24 + ...: it never grows, and its period is right to φ²/24. Both are
-/// here; the solver takes J.
+/// The notes give the bodies the constant force that leads to the exact δ(Δt) (5.19, 5.42): with φ = κ Δt, d = m δ'(0),
+///   f_INT Δt = 2 (m/Δt) δ(0) (1 − cos φ) + 2 d (1 − sin φ/φ) + f Δt (1 − 2 (1 − cos φ)/φ²).
+/// One step of it is exact in δ but not in δ'; and as particles move by the mean of their velocities at start and end,
+/// a node pair steps by a matrix of determinant 2 sin φ/φ − cos φ = 1 + φ²/6 + ...: oscillations grow by φ²/12 a step,
+/// and the run makes energy. The impulse
+///   J = (1 − cos φ) (2 (m/Δt) δ(0) + d) + f Δt (1 − 2 (1 − cos φ)/φ²)
+/// differs in the coefficient of d alone, by φ²/6. Its steps have the determinant 1 and the trace 2 cos φ: δ after n
+/// steps is a sine of the exact frequency for ever, and what is pulled by a constant f swings about f/D. The solver
+/// takes this where one spring acts all through a step. Where springs change within it, it takes the integral of their
+/// force, J = ∫ F dt, of the exact motion, whose determinant cos φ + φ sin φ/2 = 1 − φ⁴/24 + ... is on the safe side.
 
 #include <cmath>
 #include <limits>
@@ -74,31 +77,44 @@ inline double crossing_time(Oscillation from, double kappa, double acceleration,
     return high;
 }
 
+/// What a step with springs ends with, and whether one of them acted all through it.
+struct Swing {
+    Oscillation end;
+    bool same_spring = false;
+};
+
 /// The motion with bilinear springs over a step (notes 5.5, 5.6): springs change where δ crosses zero. Where
 /// compression is perfect, bodies that meet stay together for the rest of the step, as (5.141) has it, unless pulled
 /// apart.
-inline Oscillation swing(Oscillation at, const Springs& springs, double acceleration, double dt) {
+inline Swing swing(Oscillation at, const Springs& springs, double acceleration, double dt) {
     double left = dt;
     for (int pieces = 0; pieces < 8 && left > 0; ++pieces) {
         const double side = at.displacement != 0 ? at.displacement : at.velocity != 0 ? at.velocity : acceleration;
         const bool apart = side > 0;
         if (!apart && std::isinf(springs.compression)) {
-            if (side == 0 || acceleration <= 0) return {0, 0};
+            if (side == 0 || acceleration <= 0) return {{0, 0}};
             at = {0, 0}; // pressed before, pulled now
-            return swing(at, springs.tension, acceleration, left);
+            return {swing(at, springs.tension, acceleration, left)};
         }
         const double kappa = apart ? springs.tension : springs.compression;
-        if (std::isinf(kappa)) return {0, 0}; // too stiff to open in this step
+        if (std::isinf(kappa)) return {{0, 0}}; // too stiff to open in this step
         const double t = crossing_time(at, kappa, acceleration, left);
         at = swing(at, kappa, acceleration, t);
         left -= t;
         if (left > 0) at.displacement = 0;
+        if (left <= 0 && pieces == 0) return {at, true};
     }
-    return at;
+    return {at};
 }
 
-/// Impulse of the springs over the step: J = d' − m u(Δt). \param updated d' = m u(0) + f Δt [N s]
-inline double spring_impulse(const Oscillation& end, double mass, double updated) {
+/// J of one spring over a step; see above. \param force_step f Δt
+inline double spring_impulse(double phi, double displacement, double momentum, double force_step, double mass,
+                             double dt) {
+    return (1 - std::cos(phi)) * (2 * mass / dt * displacement + momentum) + force_step * (1 - 2 * versine_ratio(phi));
+}
+
+/// J of a step in which springs change: ∫ F dt. \param updated d' = m δ'(0) + f Δt
+inline double integrated_impulse(const Oscillation& end, double mass, double updated) {
     return updated - mass * end.velocity;
 }
 
