@@ -57,7 +57,7 @@ bool has_usable_grid(const GridSpec& grid, int dimension) {
 
 void add_shape(const BodySpec& spec, const std::string& pointer, const Scene& scene, Model& model,
                std::vector<Part>& parts, std::vector<Problem>& problems) {
-    Part part{pointer, spec.name, 0, {}, {}};
+    Part part{pointer, spec.name, 0, {}, {}, 0};
     part.body = body_index({pointer, spec.name, spec.material, spec.velocity, spec.rigid}, scene, model, problems);
     if (spec.particles_per_cell < 1) {
         problems.push_back({pointer + "/particles_per_cell", "must be at least 1"});
@@ -74,6 +74,7 @@ void add_shape(const BodySpec& spec, const std::string& pointer, const Scene& sc
         problems.push_back({pointer, fmt::format("body \"{}\" got no particles: it is too small for particles of {}",
                                                  spec.name, edges_text(particles.half_size))});
     part.half_size = particles.half_size;
+    part.angle = particles.angle;
     part.position = std::move(particles.position);
     parts.push_back(std::move(part));
 }
@@ -121,10 +122,12 @@ Model build_model(const Scene& scene, const std::string& scene_name) {
         problems.push_back({"", "the scene has no particles: it needs bodies or images"});
     if (!problems.empty()) throw SceneError(scene_name, std::move(problems));
 
+    const bool any_turned = std::any_of(parts.begin(), parts.end(), [](const Part& part) { return part.angle != 0; });
     for (const Part& part : parts) {
         model.position.insert(model.position.end(), part.position.begin(), part.position.end());
         model.half_size.insert(model.half_size.end(), part.position.size(), part.half_size);
         model.body.insert(model.body.end(), part.position.size(), part.body);
+        if (any_turned) model.angle.insert(model.angle.end(), part.position.size(), part.angle);
     }
     return model;
 }

@@ -111,7 +111,7 @@ std::vector<Part> image_parts(const ImageSpec& spec, const GridSpec& grid, const
         const auto entry = std::find_if(spec.legend.begin(), spec.legend.end(),
                                         [&](const LegendEntry& each) { return !each.is_void && each.body == body; });
         const std::string entry_pointer = fmt::format("{}/legend/{}", pointer, entry - spec.legend.begin());
-        Part part{entry_pointer, body, 0, particles.half_size, std::move(particles.position[k])};
+        Part part{entry_pointer, body, 0, particles.half_size, std::move(particles.position[k]), 0};
         if (part.position.empty())
             problems.push_back({entry_pointer, fmt::format("body \"{}\" got no particles: {}", body,
                                                            why_no_particles(body, spec, labelled, part.half_size))});

@@ -1,5 +1,7 @@
 #include "geometry/parts.h"
 
+#include "scene/turn.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,8 +23,8 @@ public:
         std::size_t count = 0;
         for (const Part& part : parts) {
             count += part.position.size();
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                width_[axis] = std::max(width_[axis], 2 * part.half_size[axis]);
+            const Vector reach = turned_reach(part.half_size, part.angle);
+            for (std::size_t axis = 0; axis < 3; ++axis) width_[axis] = std::max(width_[axis], 2 * reach[axis]);
         }
         entries_.reserve(count);
         for (std::size_t part = 0; part < parts.size(); ++part)
@@ -69,9 +71,12 @@ private:
 };
 
 bool covers(const Part& part, std::size_t particle, const Vector& point) {
+    const Vector& x = part.position[particle];
+    Vector offset{point[0] - x[0], point[1] - x[1], point[2] - x[2]};
+    if (part.angle != 0) offset = turned(offset, -part.angle); // along the particle's own edges
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (part.half_size[axis] > 0 && // not z of plane particles
-            std::abs(point[axis] - part.position[particle][axis]) >= part.half_size[axis] * (1 - round_off))
+            std::abs(offset[axis]) >= part.half_size[axis] * (1 - round_off))
             return false;
     return true;
 }

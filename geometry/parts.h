@@ -17,6 +17,7 @@ struct Part {
     int body = 0;                 ///< index into Model::bodies
     Vector half_size{};           ///< of each particle [m]; z is 0 in two dimensions
     std::vector<Vector> position; ///< centres [m]
+    double angle = 0;             ///< by which each particle is turned counter-clockwise about its centre [rad]
 };
 
 /// Reports every part with particles whose centres lie outside the grid's box.

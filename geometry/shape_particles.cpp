@@ -1,6 +1,7 @@
 #include "geometry/shape_particles.h"
 
 #include "grid/effective_cell.h"
+#include "scene/turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,21 +46,26 @@ Lattice particle_lattice(const GridSpec& grid, int particles_per_cell, std::size
 
 ShapeParticles fill(const Box& box, const Lattice& grid_lattice) {
     Lattice lattice{grid_lattice.dimension, {}, {}, {}};
+    const Vector wanted = turned_cell(grid_lattice.edge, box.angle);
+    const Vector widest = turned_cell(grid_lattice.cell, box.angle);
     Place last{};
     std::size_t count = 1;
     for (std::size_t axis = 0; axis < lattice.dimension; ++axis) {
         const double edge = box.upper[axis] - box.lower[axis];
         // ugimp needs particles that are no wider than a cell, also where one particle a cell is rounded down.
-        const long fewest = std::max(1L, static_cast<long>(std::ceil(edge / grid_lattice.cell[axis] - 1e-9)));
-        const long particles = std::max(fewest, std::lround(edge / grid_lattice.edge[axis]));
+        const long fewest = std::max(1L, static_cast<long>(std::ceil(edge / widest[axis] - 1e-9)));
+        const long particles = std::max(fewest, std::lround(edge / wanted[axis]));
         lattice.lower[axis] = box.lower[axis];
         lattice.edge[axis] = edge / static_cast<double>(particles);
         last[axis] = particles - 1;
         count *= static_cast<std::size_t>(particles);
     }
-    ShapeParticles particles{lattice.half_size(), {}};
+    ShapeParticles particles{lattice.half_size(), {}, box.angle};
     particles.position.reserve(count);
-    lattice.for_each({}, last, [&](const Vector& centre) { particles.position.push_back(centre); });
+    const Vector middle = center(box);
+    lattice.for_each({}, last, [&](const Vector& x) {
+        particles.position.push_back(box.angle == 0 ? x : turned_about(middle, x, box.angle));
+    });
     return particles;
 }
 
@@ -72,7 +78,7 @@ ShapeParticles fill_inside(const Vector& center, const Vector& reach, const Latt
         first[axis] = std::lround((offset - reach[axis]) / lattice.edge[axis]) - 1;
         last[axis] = std::lround((offset + reach[axis]) / lattice.edge[axis]) + 1;
     }
-    ShapeParticles particles{lattice.half_size(), {}};
+    ShapeParticles particles{lattice.half_size(), {}, 0};
     lattice.for_each(first, last, [&](const Vector& x) {
         if (inside(x[0] - center[0], x[1] - center[1], x[2] - center[2])) particles.position.push_back(x);
     });

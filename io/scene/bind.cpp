@@ -57,6 +57,7 @@ ShapeSpec bind_shape(const Json& json) {
     Box box;
     copy_components(part(json, "box"), "lower", box.lower);
     copy_components(part(json, "box"), "upper", box.upper);
+    copy(part(json, "box"), "angle", box.angle);
     return box;
 }
 

@@ -106,6 +106,16 @@ std::vector<Key> body_keys() {
          .dimension = dimensions::length,
          .required = true,
          .meaning = "Upper corner."},
+        {.path = "/bodies/#/box/angle",
+         .kind = Kind::quantity,
+         .dimension = dimensions::angle,
+         .otherwise = "0",
+         .only_with = only_in_plane,
+         .meaning =
+             "By how much it is turned about its centre, counter-clockwise. Its particles are laid out along its "
+             "own edges, and their domains are turned with them: `cpdi` and `b2cpdi` see them so, `ugimp` (and "
+             "all but these two) as boxes along the axes. Tractions name the faces that they had before "
+             "the turn."},
         {.path = "/bodies/#/disk", .kind = Kind::object, .only_with = only_in_plane, .meaning = "A disk."},
         {.path = "/bodies/#/disk/center",
          .kind = Kind::vector,

@@ -19,7 +19,7 @@ public:
         for (const std::int32_t p : members) width_ = std::max(width_, 2 * particles.half_size[p].maxCoeff());
         for (const std::int32_t p : members) bins_[bin_of(particles.position[p])].push_back(p);
     }
-    /// Whether the undeformed domain of one of the particles contains a point.
+    /// Whether the domain of one of the particles contains a point. They are not deformed yet, but may be turned.
     bool covers(const Vec<D>& x) const {
         const std::array<long, 3> center = bin_of(x);
         std::array<long, 3> bin{};
@@ -28,13 +28,16 @@ public:
             const auto found = bins_.find(bin);
             if (found == bins_.end()) continue;
             for (const std::int32_t p : found->second)
-                if (((x - particles_.position[p]).cwiseAbs().array() <= particles_.half_size[p].array()).all())
-                    return true;
+                if (within(p, x)) return true;
         }
         return false;
     }
 
 private:
+    bool within(std::int32_t p, const Vec<D>& x) const {
+        const Vec<D> offset = particles_.deformation_gradient[p].transpose() * (x - particles_.position[p]);
+        return (offset.cwiseAbs().array() <= particles_.half_size[p].array()).all();
+    }
     std::array<long, 3> bin_of(const Vec<D>& x) const {
         std::array<long, 3> bin{};
         for (int a = 0; a < D; ++a) bin[a] = static_cast<long>(std::floor(x[a] / width_));
@@ -63,8 +66,8 @@ std::vector<TractionFace> find_faces(const TractionSpec& condition, std::int32_t
     std::vector<TractionFace> faces;
     for (const std::int32_t p : members) {
         if (!is_wanted(particles.position[p])) continue;
-        Vec<D> neighbour = particles.position[p];
-        neighbour[condition.axis] += 1.5 * outward * particles.half_size[p][condition.axis];
+        const double way = 1.5 * outward * particles.half_size[p][condition.axis];
+        const Vec<D> neighbour = particles.position[p] + way * particles.deformation_gradient[p].col(condition.axis);
         if (places.covers(neighbour)) continue;
         faces.push_back({boundary, particles.id[p], -1, -1, condition.axis, outward});
     }

@@ -112,7 +112,8 @@ struct MaterialSpec {
 };
 
 struct Box {
-    Vector lower{}, upper{}; ///< [m]
+    Vector lower{}, upper{}; ///< before it is turned [m]
+    double angle = 0;        ///< it is turned about its centre, counter-clockwise; plane scenes only [rad]
 };
 struct Disk {
     Vector center{};   ///< [m]

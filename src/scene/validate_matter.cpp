@@ -1,3 +1,4 @@
+#include "scene/turn.h"
 #include "scene/validate_parts.h"
 
 #include <algorithm>
@@ -42,15 +43,26 @@ struct BodyCheck {
     Problems& problems;
 
     void operator()(const Box& box) const {
+        if (box.angle != 0 && scene.analysis == Analysis::three_d) {
+            problems.push_back({pointer + "/box/angle", "only boxes of plane scenes can be turned"});
+            return;
+        }
+        const Vector cell = turned_cell(scene.grid.cell, box.angle);
+        Vector half{};
         for (std::size_t axis = 0; axis < axes(scene); ++axis) {
             const double edge = box.upper[axis] - box.lower[axis];
             const std::string name = axis_names[axis];
+            half[axis] = edge / 2;
             demand(edge > 0, pointer + "/box/upper", "must lie above \"lower\" along " + name, problems);
             if (edge > 0)
-                check_larger_than_cell(edge, scene.grid.cell[axis], "its edge along " + name, pointer + "/box",
-                                       problems);
+                check_larger_than_cell(edge, cell[axis],
+                                       "its edge along " + (box.angle == 0 ? name : "its own " + name),
+                                       pointer + "/box", problems);
         }
-        check_inside(box.lower, box.upper, scene, pointer + "/box", problems);
+        if (box.angle == 0)
+            check_inside(box.lower, box.upper, scene, pointer + "/box", problems);
+        else
+            check_around(center(box), turned_reach(half, box.angle), "/box");
     }
 
     void operator()(const Ball& ball) const {

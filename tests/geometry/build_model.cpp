@@ -41,6 +41,14 @@ const Image two_grains = picture({{255, 255, 255, 255}, {10, 10, 20, 20}, {10, 1
 
 } // namespace
 
+TEST(BuildModel, AnglesOfTurnedBoxesOnly) {
+    Scene scene = unit_scene(4);
+    scene.bodies = {box("straight", {0, 0, 0}, {1, 1, 0}), box("turned", {2, 2, 0}, {3, 3, 0})};
+    EXPECT_TRUE(build_model(scene, "scene.json").angle.empty());
+    std::get<Box>(scene.bodies[1].shape).angle = 0.5;
+    EXPECT_THAT(build_model(scene, "scene.json").angle, ElementsAre(0, 0, 0, 0, 0.5, 0.5, 0.5, 0.5));
+}
+
 TEST(BuildModel, BodiesThenImageBodiesInTheOrderOfTheLegend) {
     PictureScene test(two_grains);
     test.legend() = {grey(20, "right", "glass"), grey(10, "left"), grey(255, "")};

@@ -75,6 +75,28 @@ TEST(Overlap, TouchingBodiesAreFine) {
     EXPECT_THAT(problems(scene), ElementsAre());
 }
 
+/// The next body lies flush on the edge of a turned one; a little farther in, a row of particles coincides.
+TEST(Overlap, OfTurnedBoxes) {
+    for (const double angle : {0.3, std::numbers::pi / 4, 1.9}) {
+        Scene scene = unit_scene(4);
+        const double c = std::cos(angle), s = std::sin(angle);
+        const auto turned_box = [&](const char* name, double x, double y) { // of 1 × 0.5 about a centre
+            BodySpec body = box(name, {x - 0.5, y - 0.25, 0}, {x + 0.5, y + 0.25, 0});
+            std::get<Box>(body.shape).angle = angle;
+            body.particles_per_cell = 8;
+            return body;
+        };
+        scene.bodies = {turned_box("a", 2, 2), turned_box("b", 2 - 0.5 * s, 2 + 0.5 * c)};
+        EXPECT_THAT(problems(scene), ElementsAre()) << angle;
+        const double closer = 0.5 - 0.07; // of particles that are 1/16 high
+        scene.bodies[1] = turned_box("b", 2 - closer * s, 2 + closer * c);
+        EXPECT_THAT(problems(scene), ElementsAre(HasSubstr("8 of its 32 particles coincide"))) << angle;
+        // A box along the axes in a corner that only the bounding box of the turned one covers.
+        scene.bodies[1] = box("b", {2 + 0.5 * c - 0.2, 2 + 0.5 * s + 0.3, 0}, {2 + 0.5 * c, 2 + 0.5 * s + 0.5, 0});
+        EXPECT_THAT(problems(scene), ElementsAre()) << angle;
+    }
+}
+
 TEST(Overlap, InSpace) {
     Scene scene = unit_scene(4, 3);
     scene.bodies = {box("a", {0, 0, 0}, {2, 2, 2}),

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <set>
 
@@ -51,6 +52,38 @@ TEST(BoxParticles, FillTheBoxFromItsOwnCorner) {
 TEST(BoxParticles, FollowTheCellThatDividesTheGrid) {
     const GridSpec uneven{{0.3, 0.3, 0}, {0, 0, 0}, {1, 1, 0}}; // 3 cells of 1/3
     EXPECT_EQ(shape_particles(Box{{0, 0, 0}, {1, 1, 0}}, 2, uneven, 2).position.size(), 36u);
+}
+
+TEST(BoxParticles, OfATurnedBoxLieAlongItsEdges) {
+    const Box straight{{0.03, 0.04, 0}, {0.53, 0.24, 0}};
+    Box box = straight;
+    box.angle = 0.6;
+    const ShapeParticles particles = shape_particles(box, 2, grid, 2);
+    const ShapeParticles reference = shape_particles(straight, 2, grid, 2);
+    EXPECT_EQ(particles.angle, 0.6);
+    EXPECT_EQ(particles.half_size, reference.half_size);
+    ASSERT_EQ(particles.position.size(), reference.position.size());
+    // The same complex numbers times e^iφ, about the centre of the box.
+    const std::complex<double> turn = std::polar(1.0, 0.6), middle(0.28, 0.14);
+    for (std::size_t k = 0; k < particles.position.size(); ++k) {
+        const std::complex<double> x(reference.position[k][0], reference.position[k][1]);
+        const std::complex<double> expected = middle + turn * (x - middle);
+        EXPECT_NEAR(particles.position[k][0], expected.real(), 1e-15);
+        EXPECT_NEAR(particles.position[k][1], expected.imag(), 1e-15);
+        EXPECT_EQ(particles.position[k][2], 0);
+    }
+}
+
+TEST(BoxParticles, OfATurnedBoxFitCellsThatAreNoSquares) {
+    const GridSpec flat{{0.2, 0.1, 0}, {-1, -2, 0}, {3, 2, 0}};
+    const Box upright{{0, 0, 0}, {0.4, 0.8, 0}};
+    Box turned{{-0.2, 0.2, 0}, {0.6, 0.6, 0}}; // the same place
+    turned.angle = std::numbers::pi / 2;
+    const ShapeParticles particles = shape_particles(turned, 2, flat, 2);
+    EXPECT_NEAR(particles.half_size[0], 0.025, 1e-15); // across y now
+    EXPECT_NEAR(particles.half_size[1], 0.05, 1e-15);
+    EXPECT_EQ(rounded(particles, {0.2, 0.4, 0}, 1, 1),
+              rounded(shape_particles(upright, 2, flat, 2), {0.2, 0.4, 0}, 1, 1));
 }
 
 TEST(DiskParticles, AreaConverges) {

@@ -85,6 +85,8 @@ TEST(SceneAnalysis, KeysOfOneAnalysis) {
         example_3d);
     expect_problems({{"/thickness", "1", "/thickness", "here it is \"axisymmetric\""}}, example_axisymmetric);
 
+    expect_problems({{"/bodies/0/box/angle", "0.1", "/bodies/0/box/angle", "here it is \"3d\""}}, example_3d);
+
     Json scene = parsed(example_3d);
     scene["bodies"][1].erase("ball");
     scene["bodies"][1]["disk"] = parsed(R"({"center": [0, 0], "radius": 1})");
@@ -149,9 +151,11 @@ TEST(SceneAnalysis, ScenesThatNoFileMade) {
     scene.bodies[0].shape = Ball{{0, 0, 0}, 1};
     EXPECT_THAT(validate(scene), testing::ElementsAre(IsProblem("/bodies/0/ball", "only 3d scenes have balls")));
     scene = load(example_3d).scene;
+    std::get<Box>(scene.bodies[0].shape).angle = 0.1;
     scene.bodies[1].shape = Disk{{0, 0, 0}, 1};
     scene.images.emplace_back();
-    EXPECT_THAT(validate_numbers(scene), testing::UnorderedElementsAre(IsProblem("/bodies/1/disk", "only plane scenes"),
+    EXPECT_THAT(validate_numbers(scene), testing::UnorderedElementsAre(IsProblem("/bodies/0/box/angle", "plane scenes"),
+                                                                       IsProblem("/bodies/1/disk", "only plane scenes"),
                                                                        IsProblem("/images", "3d scenes need bodies")));
 }
 

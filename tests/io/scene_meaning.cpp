@@ -77,6 +77,17 @@ TEST(SceneMeaning, Bodies) {
     EXPECT_THAT(problems_of(changed("/bodies/2/ellipse/center/0", R"("0.1803 mm")")), testing::IsEmpty());
 }
 
+/// 1 mm × 0.5 mm about (0.5 mm, 0.25 mm): half the width of the turned box is (1 cos 10° + 0.5 sin 10°)/2 = 0.535816
+/// mm, half its height (1 sin 10° + 0.5 cos 10°)/2 = 0.333026 mm.
+TEST(SceneMeaning, TurnedBoxes) {
+    EXPECT_THAT(problems_of(changed("/bodies/0/box/angle", R"("10 deg")")),
+                testing::UnorderedElementsAre(IsProblem("/bodies/0/box", "down to x = -3.58159e-05 m"),
+                                              IsProblem("/bodies/0/box", "up to x = 0.00103582 m"),
+                                              IsProblem("/bodies/0/box", "down to y = -8.3026e-05 m")));
+    EXPECT_THAT(problems_of(changed("/bodies/0/box/angle", R"("180 deg")")), testing::IsEmpty());
+    expect_problems({{"/bodies/0/box/angle", R"("1 mm")", "/bodies/0/box/angle", "an angle (rad) is needed"}});
+}
+
 TEST(SceneMeaning, ImagesWallsAndMaterials) {
     expect_problems({
         {"/images/1/size/1", R"("0.6 mm")", "/images/1", "up to y = 0.0021 m"},

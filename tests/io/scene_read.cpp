@@ -18,7 +18,8 @@ std::ostream& operator<<(std::ostream& out, const TimeFunction& function) {
 std::string describe(const ShapeSpec& shape) {
     std::ostringstream out;
     out << std::hexfloat;
-    if (const Box* box = std::get_if<Box>(&shape)) out << "box " << box->lower << ' ' << box->upper;
+    if (const Box* box = std::get_if<Box>(&shape))
+        out << "box " << box->lower << ' ' << box->upper << ' ' << box->angle;
     if (const Disk* disk = std::get_if<Disk>(&shape)) out << "disk " << disk->center << ' ' << disk->radius;
     if (const Ball* ball = std::get_if<Ball>(&shape)) out << "ball " << ball->center << ' ' << ball->radius;
     if (const Ellipse* ellipse = std::get_if<Ellipse>(&shape))
@@ -166,6 +167,12 @@ const std::string smallest = R"({
   "materials": { "m": { "model": "neo-hookean", "density": 1, "bulk_modulus": 1, "shear_modulus": 1 } },
   "bodies": [ { "name": "b", "material": "m", "box": { "lower": [0, 0], "upper": [1, 1] } } ]
 })";
+
+TEST(ReadScene, TurnedBoxes) {
+    const std::string upright = smallest.substr(0, smallest.find("\"bodies\"")) + R"("bodies": [
+        { "name": "b", "material": "m", "box": { "lower": [0.3, 0.4], "upper": [0.7, 0.6], "angle": "30 deg" } } ] })";
+    EXPECT_EQ(std::get<Box>(load(upright).scene.bodies[0].shape).angle, std::numbers::pi / 6);
+}
 
 TEST(ReadScene, DefaultsAreThoseOfSceneH) {
     const Scene scene = load(smallest).scene;
