@@ -31,6 +31,8 @@ struct ContactGroup {
     Index<D> node;
     std::int32_t first = 0, last = 0;             ///< in Contact::active
     std::int32_t first_point = 0, last_point = 0; ///< one for each pair, or for each body if lumped
+    /// One for each body lumped, beside the pairs, at nodes where ThreeOrMore::up_to_two takes the one or the other.
+    std::int32_t first_lumped = 0, last_lumped = 0;
 };
 
 /// What contact keeps from the search to the two passes of a step. Scenes without contact keep it empty.

@@ -18,6 +18,15 @@ bool all_perfect(const ContactSpec& contact) {
                                                   [](const PairLawSpec& pair) { return is_perfect(pair.law); });
 }
 
+bool is_regression(NormalMethod normal) {
+    return normal == NormalMethod::logistic_regression || normal == NormalMethod::linear_regression ||
+           normal == NormalMethod::irls_regression;
+}
+
+bool is_gradient(NormalMethod normal) {
+    return !is_regression(normal) && normal != NormalMethod::specified;
+}
+
 } // namespace
 
 Effects effects_of(const Scene& scene) {
@@ -47,8 +56,11 @@ Effects effects_of(const Scene& scene) {
         effects.delta_velocity = effects.extra_orders > 0 && contact.corrections == 2;
         if (!all_perfect(contact)) {
             effects.contact_strain = effects.fmpm;
-            effects.regression = contact.normal == NormalMethod::logistic_regression;
-            effects.gradients = contact.normal == NormalMethod::average_gradient;
+            effects.planes = true;
+            effects.regression = is_regression(contact.normal);
+            effects.gradients = is_gradient(contact.normal);
+            effects.volumes |= contact.normal == NormalMethod::maximum_volume;
+            effects.displacements |= contact.separation == SeparationMethod::displacement;
             effects.clouds = effects.regression || contact.separation == SeparationMethod::particle_edges;
             effects.positions = contact.separation == SeparationMethod::critical_position ||
                                 contact.separation == SeparationMethod::fitted_position;

@@ -7,6 +7,7 @@ namespace abut {
 /// these.
 struct Effects {
     bool contact = false;        ///< two contact passes, contact nodes
+    bool planes = false;         ///< normals and separations are found: an interface is not perfect
     bool clouds = false;         ///< point clouds of contact nodes: regression normals or particle edges
     bool regression = false;     ///< normals by regression
     bool gradients = false;      ///< volume gradients at contact nodes: gradient normals

@@ -50,7 +50,10 @@ void look(State<D>& state) {
     find_groups(state);
     if (state.effects.clouds) gather_clouds(state);
     if (state.effects.contact_fields()) extrapolate_contact_fields(state);
-    if (state.effects.clouds || state.effects.gradients) find_normals_and_separations(state);
+    if (state.effects.planes) {
+        find_normals(state);
+        find_separations(state);
+    }
 
     std::map<std::tuple<Index<D>, std::int32_t, std::int32_t>, const ContactPoint<D>*> last_points;
     for (const ContactGroup<D>& group : last.groups)
