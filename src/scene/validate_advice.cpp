@@ -21,6 +21,30 @@ void advise_walls(const Scene& scene, Problems& advice) {
     }
 }
 
+void advise_contact(const Scene& scene, Problems& advice) {
+    const ContactSpec& contact = *scene.contact;
+    if (contact.normal == NormalMethod::own_gradient)
+        advice.push_back({"/contact/normal",
+                          "\"own-gradient\" corrects each body by its own normal, so that momentum is not conserved; "
+                          "it is there to compare with"});
+    if (contact.separation != SeparationMethod::critical_position &&
+        contact.separation != SeparationMethod::fitted_position)
+        return;
+    const bool fitted = contact.separation == SeparationMethod::fitted_position;
+    const int right = fitted ? (contact.fit == PositionFit::one_per_cell ? 1 : 2) : (contact.offset < 0.95 ? 2 : 1);
+    const auto advise = [&](const std::string& pointer, int particles) {
+        if (particles != right)
+            advice.push_back({pointer, std::string("the separation's ") + (fitted ? "fit" : "offset") + " is for " +
+                                           std::to_string(right) + (right == 1 ? " particle" : " particles") +
+                                           " per cell along an axis, so that contact comes too early or too late; "
+                                           "\"particle-edges\" goes with any"});
+    };
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        advise("/bodies/" + std::to_string(i) + "/particles_per_cell", scene.bodies[i].particles_per_cell);
+    for (std::size_t i = 0; i < scene.images.size(); ++i)
+        advise("/images/" + std::to_string(i) + "/particles_per_cell", scene.images[i].particles_per_cell);
+}
+
 } // namespace
 
 Problems advice(const Scene& scene) {
@@ -38,6 +62,7 @@ Problems advice(const Scene& scene) {
                           "nodes with next to no mass is mostly noise (the two-block impact loses ten times the energy "
                           "of other shapes); use \"b2spline\", which costs as little, or \"ugimp\""});
     advise_walls(scene, advice);
+    if (scene.contact) advise_contact(scene, advice);
     return advice;
 }
 

@@ -85,6 +85,11 @@ void check_materials(const Scene& scene, Problems& problems) {
 
 void check_contact(const ContactSpec& contact, Problems& problems) {
     demand(contact.corrections == 1 || contact.corrections == 2, "/contact/corrections", "must be 1 or 2", problems);
+    const auto& [x, y, z] = contact.direction;
+    demand(contact.normal != NormalMethod::specified || x * x + y * y + z * z > 0, "/contact/direction",
+           "must not be zero: it is the direction of the contact normal", problems);
+    demand(contact.fit == PositionFit::power_law || contact.exponent == ContactSpec{}.exponent, "/contact/exponent",
+           R"(only goes with "fit": "power-law")", problems);
     demand(contact.law.coefficient >= 0, "/contact/law/coefficient", "must not be negative", problems);
     for (std::size_t i = 0; i < contact.laws.size(); ++i) {
         demand(contact.laws[i].law.coefficient >= 0, "/contact/laws/" + std::to_string(i) + "/law/coefficient",
