@@ -147,7 +147,9 @@ ContactSpec bind_contact(const Json& json) {
     ContactSpec contact;
     copy_word(json, "normal", normal_words, contact.normal);
     copy_word(json, "separation", separation_words, contact.separation);
+    copy_components(json, "direction", contact.direction);
     copy(json, "offset", contact.offset);
+    copy_word(json, "fit", fit_words, contact.fit);
     copy(json, "exponent", contact.exponent);
     copy(json, "corrections", contact.corrections);
     copy_word(json, "three_or_more", three_or_more_words, contact.three_or_more);

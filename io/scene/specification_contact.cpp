@@ -16,28 +16,46 @@ std::vector<Key> contact_keys() {
         {.path = "/contact/normal",
          .kind = Kind::word,
          .words = texts(normal_words),
-         .later_words = {"linear-regression", "maximum-gradient", "maximum-volume", "own-gradient", "specified"},
          .otherwise = quoted("logistic-regression"),
-         .meaning = "How the contact normal is found."},
-        {.path = "/contact/direction", .kind = Kind::later, .meaning = "Direction of a specified normal."},
+         .meaning = "How the contact normal is found. From the particles around a node: `logistic-regression`; "
+                    "`linear-regression`, its first iterate; `irls-regression`, the same by maximum likelihood. From "
+                    "volume gradients: `average-gradient` of both bodies, `maximum-gradient` or `maximum-volume`, that "
+                    "of the body with more of it; `own-gradient`, each body its own, which does not conserve momentum. "
+                    "`specified`: `direction` everywhere."},
+        {.path = "/contact/direction",
+         .kind = Kind::vector,
+         .required = true,
+         .only_with = OnlyWith{"normal", quoted_all({"specified"})},
+         .meaning = "Direction of the normal, of any length but 0, from the body that the scene lists first to the "
+                    "later one."},
         {.path = "/contact/separation",
          .kind = Kind::word,
          .words = texts(separation_words),
-         .later_words = {"displacement"},
          .otherwise = quoted("particle-edges"),
-         .meaning = "How the distance of two bodies is found; `none` looks at the approach velocity alone."},
+         .meaning = "How the distance of two bodies is found: `particle-edges` from the particles around a node; "
+                    "`critical-position` and `fitted-position` from extrapolated positions; `displacement` from "
+                    "extrapolated displacements, for bodies that touch from the start and move little; `none` looks at "
+                    "the approach velocity alone."},
         {.path = "/contact/offset",
          .kind = Kind::number,
          .otherwise = "0.8",
          .range = at_least(0),
          .only_with = OnlyWith{"separation", quoted_all({"critical-position"})},
-         .meaning = "Distance of the particle positions, in cells, below which bodies are in contact."},
+         .meaning = "Distance of the particle positions, in cells, below which bodies are in contact: 0.8 for two "
+                    "particles per cell along an axis, 1.07 for one."},
+        {.path = "/contact/fit",
+         .kind = Kind::word,
+         .words = texts(fit_words),
+         .otherwise = quoted("power-law"),
+         .only_with = OnlyWith{"separation", quoted_all({"fitted-position"})},
+         .meaning = "Fit from particle positions to edges, of shape `ugimp`: `power-law` and the piecewise "
+                    "`two-per-cell` are for two particles per cell along an axis, `one-per-cell` for one."},
         {.path = "/contact/exponent",
          .kind = Kind::number,
          .otherwise = "0.58",
          .range = above(0),
          .only_with = OnlyWith{"separation", quoted_all({"fitted-position"})},
-         .meaning = "Exponent of the fit from particle positions to edges."},
+         .meaning = "Exponent of the fit `power-law`; the others have none."},
         {.path = "/contact/overlap_correction",
          .kind = Kind::number,
          .otherwise = "0.01",
@@ -62,7 +80,8 @@ std::vector<Key> contact_keys() {
          .words = texts(three_or_more_words),
          .otherwise = quoted("explicit"),
          .meaning = "What happens at nodes that see three or more bodies: `lumped` takes each against all the others; "
-                    "`explicit` solves all touching pairs at once, each with its own normal."},
+                    "`explicit` solves all touching pairs at once, each with its own normal; `up-to-two` does so "
+                    "where one or two pairs touch, and lumps where more do."},
         {.path = "/contact/rigid_bias",
          .kind = Kind::number,
          .otherwise = "0",

@@ -31,7 +31,8 @@ inline constexpr std::array shape_words{Word{"linear", ShapeKind::linear},     W
 inline constexpr std::array scheme_words{Word{"flip", TransferScheme::flip}, Word{"pic", TransferScheme::pic},
                                          Word{"xpic", TransferScheme::xpic}, Word{"fmpm", TransferScheme::fmpm}};
 inline constexpr std::array three_or_more_words{Word{"lumped", ThreeOrMore::lumped},
-                                                Word{"explicit", ThreeOrMore::explicit_}};
+                                                Word{"explicit", ThreeOrMore::explicit_},
+                                                Word{"up-to-two", ThreeOrMore::up_to_two}};
 inline constexpr std::array position_words{Word{"end-velocity", PositionUpdate::end_velocity},
                                            Word{"start-velocity", PositionUpdate::start_velocity},
                                            Word{"mean-velocity", PositionUpdate::mean_velocity}};
@@ -45,11 +46,21 @@ inline constexpr std::array model_words{Word{"neo-hookean", MaterialModel::neo_h
                                         Word{"neo-hookean-isochoric", MaterialModel::neo_hookean_isochoric},
                                         Word{"linear-elastic", MaterialModel::linear_elastic}};
 inline constexpr std::array normal_words{Word{"logistic-regression", NormalMethod::logistic_regression},
-                                         Word{"average-gradient", NormalMethod::average_gradient}};
+                                         Word{"linear-regression", NormalMethod::linear_regression},
+                                         Word{"irls-regression", NormalMethod::irls_regression},
+                                         Word{"average-gradient", NormalMethod::average_gradient},
+                                         Word{"maximum-gradient", NormalMethod::maximum_gradient},
+                                         Word{"maximum-volume", NormalMethod::maximum_volume},
+                                         Word{"own-gradient", NormalMethod::own_gradient},
+                                         Word{"specified", NormalMethod::specified}};
 inline constexpr std::array separation_words{Word{"particle-edges", SeparationMethod::particle_edges},
                                              Word{"critical-position", SeparationMethod::critical_position},
                                              Word{"fitted-position", SeparationMethod::fitted_position},
+                                             Word{"displacement", SeparationMethod::displacement},
                                              Word{"none", SeparationMethod::none}};
+inline constexpr std::array fit_words{Word{"power-law", PositionFit::power_law},
+                                      Word{"two-per-cell", PositionFit::two_per_cell},
+                                      Word{"one-per-cell", PositionFit::one_per_cell}};
 inline constexpr std::array law_words{Word{"frictionless", LawType::frictionless},
                                       Word{"friction", LawType::friction},
                                       Word{"stick", LawType::stick},

@@ -10,20 +10,19 @@ namespace abut {
 template <int D>
 struct Cloud {
     int size = 0;
+    int size_b = 0;    ///< of them of class +1
     double spread = 0; ///< variance of a position within a particle's domain, per axis [cells²]
     std::vector<Pack> x[D];
     std::vector<Pack> c;
     std::vector<Pack> weight;
-    std::vector<int> particle;
 
     void clear() {
-        size = 0;
+        size = size_b = 0;
         for (auto& axis : x) axis.clear();
         c.clear();
         weight.clear();
-        particle.clear();
     }
-    void add(const Vec<D>& position, double point_class, int p) {
+    void add(const Vec<D>& position, double point_class) {
         const int lane = size % 4;
         if (lane == 0) {
             for (auto& axis : x) axis.push_back(Pack{});
@@ -33,8 +32,8 @@ struct Cloud {
         for (int a = 0; a < D; ++a) x[a].back()[lane] = position[a];
         c.back()[lane] = point_class;
         weight.back()[lane] = 1;
-        particle.push_back(p);
         ++size;
+        size_b += point_class > 0;
     }
 };
 

@@ -69,7 +69,7 @@ template <int D>
 Meeting<D> meeting_at(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
                       const Vec<D>& stick, double mass, const Pass& pass) {
     Meeting<D> at{stick, point.normal, mass, state.dt, point.carried_separation, state.grid.length(), pass.second};
-    if (!state.effects.volumes) return at;
+    if (!state.effects.areas) return at;
     at.area = point.area;
     at.discontinuity = point.discontinuity;
     at.separation_at_start = point.separation;

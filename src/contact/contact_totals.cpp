@@ -1,6 +1,7 @@
 #include "contact/contact_totals.h"
 
 #include "boundary/rigid_body.h"
+#include "contact/group_view.h"
 
 namespace abut {
 
@@ -133,19 +134,19 @@ void find_areas_and_displacements(State<D>& state) {
         const ContactGroup<D>& group = contact.groups[g];
         const auto find = [&](ContactPoint<D>& point) {
             const std::vector<Pack>& gradient = contact.volume_gradient;
-            point.area = contact_area<D>(vector_of<D>(gradient[point.slot_a]),
-                                         vector_of<D>(of_other_side(state, group, point, gradient)), point.normal);
+            point.area =
+                contact_area<D>(vector_of<D>(gradient[point.slot_a]),
+                                vector_of<D>(sum_of_others(state.contact, group, point, gradient)), point.normal);
             if (!state.effects.displacements) return;
             const auto displacement = [&](const Pack& moment, const Pack& mass) {
                 return vector_of<D>(moment / mass[0]);
             };
             const std::vector<Pack>& mass = state.nodes.momentum;
-            point.discontinuity = displacement(of_other_side(state, group, point, contact.mass_displacement),
-                                               of_other_side(state, group, point, mass)) -
+            point.discontinuity = displacement(sum_of_others(state.contact, group, point, contact.mass_displacement),
+                                               sum_of_others(state.contact, group, point, mass)) -
                                   displacement(contact.mass_displacement[point.slot_a], mass[point.slot_a]);
         };
-        for (std::int32_t i = group.first_point; i < group.last_point; ++i) find(contact.points[i]);
-        for (std::int32_t i = group.first_lumped; i < group.last_lumped; ++i) find(contact.points[i]);
+        for_each_point(contact, group, find);
     }
 }
 

@@ -3,17 +3,6 @@
 
 namespace abut {
 
-/// Sum of a slot quantity over the bodies of a group but a, or that of body b alone.
-template <int D>
-Pack of_other_side(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
-                   const std::vector<Pack>& values) {
-    if (point.slot_b >= 0) return values[point.slot_b];
-    Pack sum{};
-    for (std::int32_t i = group.first; i < group.last; ++i)
-        if (state.contact.active[i] != point.slot_a) sum += values[state.contact.active[i]];
-    return sum;
-}
-
 /// Contact area of two bodies at a node from their volume gradients: the shape functions' integral over the interface.
 /// By Gauss's theorem Σ V ∇S is the integral of S n over a body's whole surface, and what is not interface is mostly
 /// perpendicular to it or far from the node [m^2].

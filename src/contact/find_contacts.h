@@ -15,13 +15,17 @@ void gather_clouds(State<D>& state);
 template <int D>
 void extrapolate_contact_fields(State<D>& state);
 
-/// Volumes Ω = Σ S V (lane 0) [m^3] and their gradients g = Σ G V [m^2] of all slots at contact nodes, for whoever wants
-/// them outside the step.
+/// Volumes Ω = Σ S V (lane 0) [m^3] and their gradients g = Σ G V [m^2] of all slots at contact nodes, for whoever
+/// wants them outside the step.
 template <int D>
 std::vector<Pack> volume_gradients(State<D>& state);
 
-/// Normal and separation of every point (contact paper Eq. 13, 16, 19-25).
+/// Normal of every point (contact paper §3.1 and Eq. 13; notes 3.2-3.4); zero where there is none.
 template <int D>
-void find_normals_and_separations(State<D>& state);
+void find_normals(State<D>& state);
+
+/// Separation of every point along its normal (contact paper Eq. 16, 22-24; notes 3.6); infinite without a normal.
+template <int D>
+void find_separations(State<D>& state);
 
 } // namespace abut

@@ -32,25 +32,42 @@ ContactPoint<D> make_point(const State<D>& state, std::int32_t slot_a, std::int3
     return point;
 }
 
-/// One point for each pair of active bodies; if lumped, one for each of three or more bodies.
 template <int D>
-void add_points(State<D>& state, ContactGroup<D>& group) {
+void add_pairs(State<D>& state, const ContactGroup<D>& group) {
     Contact<D>& contact = state.contact;
-    group.first_point = static_cast<std::int32_t>(contact.points.size());
-    const bool lumped = group.last - group.first > 2 && contact.three_or_more == ThreeOrMore::lumped;
-    for (std::int32_t i = group.first; i < group.last; ++i) {
-        const std::int32_t a = contact.active[i];
-        if (lumped) {
-            if (!is_rigid(state, state.fields.field[a]))
-                contact.points.push_back(make_point(state, a, main_partner(state, group, a), true));
-            continue;
-        }
+    for (std::int32_t i = group.first; i < group.last; ++i)
         for (std::int32_t j = i + 1; j < group.last; ++j) {
-            const ContactPoint<D> point = make_point(state, a, contact.active[j], false);
+            const ContactPoint<D> point = make_point(state, contact.active[i], contact.active[j], false);
             if (!point.rigid_a || !point.rigid_b) contact.points.push_back(point);
         }
+}
+
+template <int D>
+void add_lumped(State<D>& state, const ContactGroup<D>& group) {
+    Contact<D>& contact = state.contact;
+    for (std::int32_t i = group.first; i < group.last; ++i) {
+        const std::int32_t a = contact.active[i];
+        if (!is_rigid(state, state.fields.field[a]))
+            contact.points.push_back(make_point(state, a, main_partner(state, group, a), true));
     }
-    group.last_point = static_cast<std::int32_t>(contact.points.size());
+}
+
+/// One point for each pair of active bodies, or for each body. Own normals are those of bodies, not of pairs (notes
+/// 3.5).
+template <int D>
+void add_points(State<D>& state, ContactGroup<D>& group) {
+    const Contact<D>& contact = state.contact;
+    const auto end = [&contact] { return static_cast<std::int32_t>(contact.points.size()); };
+    const bool three = group.last - group.first > 2;
+    const bool own = state.effects.planes && state.scene.contact->normal == NormalMethod::own_gradient;
+    group.first_point = end();
+    if (own || (three && contact.three_or_more == ThreeOrMore::lumped))
+        add_lumped(state, group);
+    else
+        add_pairs(state, group);
+    group.last_point = group.first_lumped = end();
+    if (!own && three && contact.three_or_more == ThreeOrMore::up_to_two) add_lumped(state, group);
+    group.last_lumped = end();
 }
 
 } // namespace

@@ -24,6 +24,15 @@ bool any_rigid(const Scene& scene) {
            });
 }
 
+bool is_regression(NormalMethod normal) {
+    return normal == NormalMethod::logistic_regression || normal == NormalMethod::linear_regression ||
+           normal == NormalMethod::irls_regression;
+}
+
+bool is_gradient(NormalMethod normal) {
+    return !is_regression(normal) && normal != NormalMethod::specified;
+}
+
 } // namespace
 
 Effects effects_of(const Scene& scene) {
@@ -57,11 +66,14 @@ Effects effects_of(const Scene& scene) {
         if (any_law(contact, [](const LawSpec& law) { return law.type != LawType::perfect; })) {
             effects.interfaces = any_law(contact, [](const LawSpec& law) { return is_interface(law); });
             effects.displacements |= effects.interfaces;
-            effects.volumes |= any_law(contact, needs_area);
+            effects.areas = any_law(contact, needs_area);
+            effects.volumes |= effects.areas;
             effects.contact_strain = effects.fmpm;
-            effects.regression = contact.normal == NormalMethod::logistic_regression;
-            effects.gradients =
-                contact.normal == NormalMethod::average_gradient || (effects.rigid && contact.rigid_bias > 0);
+            effects.planes = true;
+            effects.regression = is_regression(contact.normal);
+            effects.gradients = is_gradient(contact.normal) || (effects.rigid && contact.rigid_bias > 0);
+            effects.volumes |= contact.normal == NormalMethod::maximum_volume;
+            effects.displacements |= contact.separation == SeparationMethod::displacement;
             effects.clouds = effects.regression || contact.separation == SeparationMethod::particle_edges;
             effects.positions = contact.separation == SeparationMethod::critical_position ||
                                 contact.separation == SeparationMethod::fitted_position;

@@ -7,6 +7,7 @@ namespace abut {
 /// these.
 struct Effects {
     bool contact = false;        ///< two contact passes, contact nodes
+    bool planes = false;         ///< normals and separations are found: an interface is not perfect
     bool clouds = false;         ///< point clouds of contact nodes: regression normals or particle edges
     bool regression = false;     ///< normals by regression
     bool gradients = false;      ///< volume gradients at contact nodes: gradient normals
@@ -16,6 +17,7 @@ struct Effects {
     bool delta_velocity = false; ///< Δv of the first contact pass is kept: XPIC and FMPM of order 2 and more
     bool pic = false;            ///< particles take their velocities from the grid, not changes of them
     bool rigid = false;          ///< bodies whose motion is prescribed
+    bool areas = false;          ///< contact areas: laws with tractions
     bool interfaces = false;     ///< contact laws that store energy
     int extra_orders = 0;        ///< gather-scatter sweeps of XPIC and FMPM: order - 1
     bool fmpm = false;           ///< grid velocities by the full mass matrix, order 2 and more

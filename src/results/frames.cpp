@@ -3,6 +3,7 @@
 #include "boundary/rigid_body.h"
 #include "contact/contact_totals.h"
 #include "contact/find_contacts.h"
+#include "contact/group_view.h"
 #include "step/tasks.h"
 
 #include <map>
@@ -35,7 +36,7 @@ template <int D>
 double point_area(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
                   const std::vector<Pack>& gradients) {
     return contact_area<D>(vector_of<D>(gradients[point.slot_a]),
-                           vector_of<D>(of_other_side(state, group, point, gradients)), point.normal);
+                           vector_of<D>(sum_of_others(state.contact, group, point, gradients)), point.normal);
 }
 
 double von_mises(const std::array<double, 6>& s) {
@@ -59,21 +60,27 @@ void look(State<D>& state) {
     find_groups(state);
     if (state.effects.clouds) gather_clouds(state);
     if (state.effects.contact_fields()) extrapolate_contact_fields(state);
-    if (state.effects.clouds || state.effects.gradients) find_normals_and_separations(state);
-    if (state.effects.volumes) find_areas_and_displacements(state);
+    if (state.effects.planes) {
+        find_normals(state);
+        find_separations(state);
+    }
+    if (state.effects.areas) find_areas_and_displacements(state);
 
-    std::map<std::tuple<Index<D>, std::int32_t, std::int32_t>, const ContactPoint<D>*> last_points;
+    // Forces stay those of the last step; lumped points are apart from the pairs' of the same node.
+    using PointKey = std::tuple<Index<D>, std::int32_t, std::int32_t, bool>;
+    const auto key = [](const ContactGroup<D>& group, const ContactPoint<D>& point) {
+        return PointKey{group.node, point.body_a, point.body_b, point.slot_b < 0};
+    };
+    std::map<PointKey, const ContactPoint<D>*> last_points;
     for (const ContactGroup<D>& group : last.groups)
-        for (std::int32_t i = group.first_point; i < group.last_point; ++i)
-            last_points[{group.node, last.points[i].body_a, last.points[i].body_b}] = &last.points[i];
+        for_each_point(last, group, [&](const ContactPoint<D>& point) { last_points[key(group, point)] = &point; });
     for (const ContactGroup<D>& group : state.contact.groups)
-        for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
-            ContactPoint<D>& point = state.contact.points[i];
-            const auto found = last_points.find({group.node, point.body_a, point.body_b});
-            if (found == last_points.end()) continue;
+        for_each_point(state.contact, group, [&](ContactPoint<D>& point) {
+            const auto found = last_points.find(key(group, point));
+            if (found == last_points.end()) return;
             point.impulse = found->second->impulse;
             point.touching = found->second->touching;
-        }
+        });
 }
 
 template <int D>
@@ -183,12 +190,11 @@ std::map<std::pair<std::int32_t, std::int32_t>, double> contact_areas(State<D>& 
     std::map<std::pair<std::int32_t, std::int32_t>, double> areas;
     const std::vector<Pack> gradients = volume_gradients(state);
     for (const ContactGroup<D>& group : state.contact.groups)
-        for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
-            const ContactPoint<D>& point = state.contact.points[i];
-            if (point.impulse.isZero(0)) continue;
+        for_each_point(state.contact, group, [&](const ContactPoint<D>& point) {
+            if (point.impulse.isZero(0)) return;
             const double share = point.slot_b < 0 ? 0.5 : 1; // lumped: both bodies have a point
             areas[std::minmax(point.body_a, point.body_b)] += share * point_area(state, group, point, gradients);
-        }
+        });
     return areas;
 }
 

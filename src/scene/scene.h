@@ -187,12 +187,24 @@ struct ImageSpec {
 
 // === Contact
 
-enum class NormalMethod { logistic_regression, average_gradient };
-enum class SeparationMethod { particle_edges, critical_position, fitted_position, none };
+enum class NormalMethod {
+    logistic_regression,
+    linear_regression, ///< its first iterate
+    irls_regression,   ///< the same by maximum likelihood (notes 3.4.6)
+    average_gradient,
+    maximum_gradient,
+    maximum_volume,
+    own_gradient, ///< each body its own, and apart from the others: does not conserve momentum
+    specified     ///< ContactSpec::direction everywhere
+};
+enum class SeparationMethod { particle_edges, critical_position, fitted_position, displacement, none };
+/// Fits of fitted_position from extrapolated positions to edges.
+enum class PositionFit { power_law, two_per_cell, one_per_cell };
 /// At nodes that see three or more bodies.
 enum class ThreeOrMore {
-    lumped,   ///< each body against all the others as one (contact paper Eq. 50); does not conserve momentum exactly
-    explicit_ ///< every touching pair with its own normal, all pairs at once
+    lumped,    ///< each body against all the others as one (contact paper Eq. 50); does not conserve momentum exactly
+    explicit_, ///< every touching pair with its own normal, all pairs at once
+    up_to_two  ///< explicit where at most two pairs touch, lumped elsewhere (contact paper §3.4)
 };
 enum class LawType {
     frictionless,
@@ -233,9 +245,11 @@ struct PairLawSpec {
 struct ContactSpec {
     NormalMethod normal = NormalMethod::logistic_regression;
     SeparationMethod separation = SeparationMethod::particle_edges;
-    double offset = 0.8;    ///< of critical_position, in cells
-    double exponent = 0.58; ///< of fitted_position
-    int corrections = 2;    ///< 1 or 2 a step
+    Vector direction{};  ///< of a specified normal, of any length but 0: from the body listed first to the later one
+    double offset = 0.8; ///< of critical_position, in cells
+    PositionFit fit = PositionFit::power_law; ///< of fitted_position
+    double exponent = 0.58;                   ///< of its power law
+    int corrections = 2;                      ///< 1 or 2 a step
     ThreeOrMore three_or_more = ThreeOrMore::explicit_;
     /// Share of an overlap of two bodies that a step removes (particle-edges, not lumped). Contact laws stop bodies
     /// that approach, but don't part bodies that already overlap, so that small errors of many steps would add up.

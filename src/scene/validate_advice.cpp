@@ -38,6 +38,30 @@ void advise_interface(const Scene& scene, const LawSpec& law, const std::string&
                                    with_unit(stiffness * limit * limit / (step * step), "Pa/m")});
 }
 
+void advise_contact(const Scene& scene, Problems& advice) {
+    const ContactSpec& contact = *scene.contact;
+    if (contact.normal == NormalMethod::own_gradient)
+        advice.push_back({"/contact/normal",
+                          "\"own-gradient\" corrects each body by its own normal, so that momentum is not conserved; "
+                          "it is there to compare with"});
+    if (contact.separation != SeparationMethod::critical_position &&
+        contact.separation != SeparationMethod::fitted_position)
+        return;
+    const bool fitted = contact.separation == SeparationMethod::fitted_position;
+    const int right = fitted ? (contact.fit == PositionFit::one_per_cell ? 1 : 2) : (contact.offset < 0.95 ? 2 : 1);
+    const auto advise = [&](const std::string& pointer, int particles) {
+        if (particles != right)
+            advice.push_back({pointer, std::string("the separation's ") + (fitted ? "fit" : "offset") + " is for " +
+                                           std::to_string(right) + (right == 1 ? " particle" : " particles") +
+                                           " per cell along an axis, so that contact comes too early or too late; "
+                                           "\"particle-edges\" goes with any"});
+    };
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        advise("/bodies/" + std::to_string(i) + "/particles_per_cell", scene.bodies[i].particles_per_cell);
+    for (std::size_t i = 0; i < scene.images.size(); ++i)
+        advise("/images/" + std::to_string(i) + "/particles_per_cell", scene.images[i].particles_per_cell);
+}
+
 } // namespace
 
 Problems advice(const Scene& scene) {
@@ -56,6 +80,7 @@ Problems advice(const Scene& scene) {
                           "of other shapes); use \"b2spline\", which costs as little, or \"ugimp\""});
     advise_walls(scene, advice);
     if (scene.contact) {
+        advise_contact(scene, advice);
         advise_interface(scene, scene.contact->law, "/contact/law", advice);
         for (std::size_t i = 0; i < scene.contact->laws.size(); ++i)
             advise_interface(scene, scene.contact->laws[i].law, "/contact/laws/" + std::to_string(i) + "/law", advice);

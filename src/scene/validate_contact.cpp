@@ -71,6 +71,11 @@ void validate_contact(const Scene& scene, Problems& problems) {
     if (!scene.contact) return;
     const ContactSpec& contact = *scene.contact;
     demand(contact.corrections == 1 || contact.corrections == 2, "/contact/corrections", "must be 1 or 2", problems);
+    const auto& [x, y, z] = contact.direction;
+    demand(contact.normal != NormalMethod::specified || x * x + y * y + z * z > 0, "/contact/direction",
+           "must not be zero: it is the direction of the contact normal", problems);
+    demand(contact.fit == PositionFit::power_law || contact.exponent == ContactSpec{}.exponent, "/contact/exponent",
+           R"(only goes with "fit": "power-law")", problems);
     check_law(contact.law, "/contact/law", problems);
     for (std::size_t i = 0; i < contact.laws.size(); ++i)
         check_law(contact.laws[i].law, "/contact/laws/" + std::to_string(i) + "/law", problems);

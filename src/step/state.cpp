@@ -55,7 +55,7 @@ State<D> make_state(const Scene& scene, const Model& model) {
     if (scene.contact) {
         state.contact.laws = law_table(*scene.contact, model.bodies);
         // Perfect interfaces need no pairs: lumping makes all bodies of a node one, exactly.
-        if (state.effects.clouds || state.effects.gradients) state.contact.three_or_more = scene.contact->three_or_more;
+        if (state.effects.planes) state.contact.three_or_more = scene.contact->three_or_more;
     }
     for (const BoundarySpec& boundary : scene.boundaries) {
         const auto number = static_cast<std::int32_t>(state.boundaries.size());

@@ -56,12 +56,12 @@ std::vector<Task<D>> step_tasks(const Scene& scene) {
     add(effects.contact_fields(), "extrapolate contact fields",
         effects.gradients   ? "normals by volume gradients"
         : effects.positions ? "separations by extrapolated positions"
-                            : "a contact law needs areas or displacements",
+                            : "a contact law or a separation needs areas or displacements",
         extrapolate_contact_fields<D>);
-    add(effects.clouds || effects.gradients, "find normals and separations", "an interface is not perfect",
-        find_normals_and_separations<D>);
-    add(effects.volumes, "find contact areas",
-        effects.displacements ? "an interface law needs areas and displacements" : "a contact law needs areas",
+    add(effects.planes, "find normals", "an interface is not perfect", find_normals<D>);
+    add(effects.planes, "find separations", "an interface is not perfect", find_separations<D>);
+    add(effects.areas, "find contact areas",
+        effects.interfaces ? "an interface law needs areas and displacements" : "a contact law needs areas",
         find_areas_and_displacements<D>);
     add(effects.contact && scene.contact->corrections == 2, "first contact pass",
         "extrapolated velocities must obey contact", first_contact_pass<D>);

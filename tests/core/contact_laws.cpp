@@ -1,7 +1,9 @@
 #include "support.h"
 
 #include "contact/law/contact_law.h"
-#include "contact/separation/separation.h"
+#include "contact/separation/critical_position.h"
+#include "contact/separation/fitted_position.h"
+#include "contact/separation/particle_edges.h"
 
 #include <Eigen/Dense>
 

@@ -82,7 +82,7 @@ TEST(Plan, EachEffectHasItsCause) {
     struct Row {
         NormalMethod normal;
         SeparationMethod separation;
-        bool clouds, regression, gradients, positions;
+        bool clouds, regression, gradients, positions, displacements = false;
     };
     using N = NormalMethod;
     using S = SeparationMethod;
@@ -91,7 +91,15 @@ TEST(Plan, EachEffectHasItsCause) {
                            Row{N::logistic_regression, S::none, true, true, false, false},
                            Row{N::average_gradient, S::particle_edges, true, false, true, false},
                            Row{N::average_gradient, S::fitted_position, false, false, true, true},
-                           Row{N::average_gradient, S::none, false, false, true, false}}) {
+                           Row{N::average_gradient, S::none, false, false, true, false},
+                           Row{N::linear_regression, S::displacement, true, true, false, false, true},
+                           Row{N::irls_regression, S::fitted_position, true, true, false, true},
+                           Row{N::maximum_gradient, S::particle_edges, true, false, true, false},
+                           Row{N::maximum_volume, S::displacement, false, false, true, false, true},
+                           Row{N::own_gradient, S::critical_position, false, false, true, true},
+                           Row{N::specified, S::particle_edges, true, false, false, false},
+                           Row{N::specified, S::displacement, false, false, false, false, true},
+                           Row{N::specified, S::none, false, false, false, false}}) {
         Scene scene = bare();
         scene.contact = contact(LawType::frictionless);
         scene.contact->normal = row.normal;
@@ -102,13 +110,18 @@ TEST(Plan, EachEffectHasItsCause) {
         EXPECT_EQ(e.regression, row.regression);
         EXPECT_EQ(e.gradients, row.gradients);
         EXPECT_EQ(e.positions, row.positions);
+        EXPECT_EQ(e.displacements, row.displacements);
+        EXPECT_EQ(e.volumes, row.normal == N::maximum_volume);
+        EXPECT_TRUE(e.planes);
         const auto names = task_names(scene);
         EXPECT_EQ(any_contains(names, "point clouds"), row.clouds);
-        EXPECT_EQ(any_contains(names, "contact fields"), row.gradients || row.positions);
+        EXPECT_EQ(any_contains(names, "contact fields"), row.gradients || row.positions || row.displacements);
+        EXPECT_TRUE(any_contains(names, "find normals") && any_contains(names, "find separations"));
         const auto fields = field_names(scene);
         EXPECT_EQ(any_contains(fields, "point cloud"), row.clouds);
         EXPECT_EQ(any_contains(fields, "volume gradient"), row.gradients);
         EXPECT_EQ(any_contains(fields, "mass times position"), row.positions);
+        EXPECT_EQ(any_contains(fields, "mass times displacement"), row.displacements);
     }
 }
 

@@ -58,7 +58,7 @@ TEST(SceneMethod, WhatGoesTogether) {
 }
 
 std::vector<Problem> advice_on(const std::string& method, const std::string& wall) {
-    return advice(load(changed("/boundaries/1/wall", wall, changed("/method", method))).scene);
+    return advice(load(changed("/boundaries/1/wall", wall, changed("/method", method, changed("/contact", "")))).scene);
 }
 
 TEST(SceneMethod, Advice) {

@@ -74,7 +74,8 @@ std::string describe(const Scene& s) {
     }
     if (s.contact) {
         out << int(s.contact->normal) << int(s.contact->separation) << ' ' << s.contact->offset << ' '
-            << s.contact->exponent << s.contact->corrections << int(s.contact->law.type) << s.contact->law.coefficient;
+            << s.contact->exponent << int(s.contact->fit) << s.contact->direction << s.contact->corrections
+            << int(s.contact->law.type) << s.contact->law.coefficient;
         for (const PairLawSpec& p : s.contact->laws)
             out << p.bodies[0] << p.bodies[1] << int(p.law.type) << p.law.coefficient << '\n';
     }

@@ -96,9 +96,6 @@ TEST(SceneStructure, Words) {
 TEST(SceneStructure, NotInThisVersion) {
     const std::string not_available = "not available in this version";
     expect_problems({
-        {"/contact/normal", R"("specified")", "/contact/normal", not_available},
-        {"/contact/direction", "[1, 0]", "/contact/direction", not_available},
-        {"/contact/separation", R"("displacement")", "/contact/separation", not_available},
         {"/output/checkpoint_every", R"("2 us")", "/output/checkpoint_every", not_available},
     });
 }
@@ -153,7 +150,7 @@ TEST(SceneStructure, AllProblemsAtOnce) {
     scene["thickness"] = "3 s";
     scene["grid"].erase("lower");
     scene["time"]["stepp"] = 1;
-    scene["contact"]["normal"] = "own-gradient";
+    scene["contact"]["normal"] = "own-gradients";
     scene["materials"]["steel"]["density"] = "3 mm";
     scene["bodies"][0]["material"] = "aluminum"; // a name that fits nothing, found beside the others
     scene["bodies"][1] = 3;
@@ -162,7 +159,8 @@ TEST(SceneStructure, AllProblemsAtOnce) {
     EXPECT_THAT(problems_of(scene.dump()),
                 testing::UnorderedElementsAre(
                     IsProblem("/thickness", "a length (m) is needed"), IsProblem("/grid/lower", "missing"),
-                    IsProblem("/time/stepp", "did you mean \"step\"?"), IsProblem("/contact/normal", "not available"),
+                    IsProblem("/time/stepp", "did you mean \"step\"?"),
+                    IsProblem("/contact/normal", "\"own-gradient\"?"),
                     IsProblem("/materials/steel/density", "3 mm is a length"),
                     IsProblem("/bodies/0/material", "no material \"aluminum\"; did you mean \"aluminium\"?"),
                     IsProblem("/bodies/1", "an object { } is needed, not 3"),

@@ -1,15 +1,7 @@
 #pragma once
-#include "contact/cloud.h"
+#include "contact/normal/regression.h"
 
 namespace abut {
-
-/// A plane between the two classes of a cloud.
-template <int D>
-struct Regression {
-    Vec<D> normal = Vec<D>::Zero(); ///< unit, from class -1 to class +1; zero if the cloud gives none
-    int iterations = 0;
-    bool found = false;
-};
 
 /// Most probable plane that separates the classes of a cloud (contact paper §3.1 and appendix): linear regression as
 /// the first iterate, then non-linear least squares with the logistic function, penalties λ = 1e-7 Δx² (1, 1, 1, 0),

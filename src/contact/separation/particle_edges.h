@@ -3,7 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace abut {
 
@@ -27,18 +27,16 @@ double edge_distance_along_ray(const Mat<D>& F, const Vec<D>& half_size, const V
     return 1 / (F.inverse() * n).cwiseQuotient(half_size).norm();
 }
 
-/// Critical position: (x_b − x_a)·n less a constant offset (contact paper Eq. 16; notes 3.50).
-/// \param apparent_a (x_a − x_i)·n of the extrapolated position of a [cells]; likewise b
-/// \return separation [cells]
-inline double critical_position(double apparent_a, double apparent_b, double offset) {
-    return apparent_b - apparent_a - offset;
-}
-
-/// Fitted position: the extrapolated distances of both bodies to the node, corrected by a power law (notes 3.51).
-inline double fitted_position(double apparent_a, double apparent_b, double exponent) {
-    const double a = 1 - 2 * std::pow(std::max(-apparent_a, 0.0) / 1.25, exponent);
-    const double b = 2 * std::pow(std::max(apparent_b, 0.0) / 1.25, exponent) - 1;
-    return b - a;
-}
+/// Where the particles of both sides of a point end along n (contact paper Eq. 22, 23); Eq. (24): b − a.
+struct Edges {
+    double a = -std::numeric_limits<double>::infinity();
+    double b = std::numeric_limits<double>::infinity();
+    void add(bool side_a, double x, double R) {
+        if (side_a)
+            a = std::max(a, x + R);
+        else
+            b = std::min(b, x - R);
+    }
+};
 
 } // namespace abut

@@ -1,0 +1,123 @@
+#include "contact/find_contacts.h"
+#include "contact/group_view.h"
+#include "contact/separation/critical_position.h"
+#include "contact/separation/displacement.h"
+#include "contact/separation/fitted_position.h"
+#include "contact/separation/particle_edges.h"
+
+#include <limits>
+
+namespace abut {
+
+namespace {
+
+/// Separation of the edges of the particles nearest to the other class (contact paper Eq. 22-24), and the overlap close
+/// to the node. The cloud reaches up to two cells to the sides; where the interface is curved its outermost particles
+/// make the separation negative though nothing overlaps. The overlap therefore counts only particles whose centres lie
+/// within half a cell of the line through the node along n, and what is left of the curvature, of the steps in a
+/// body's edge and of the inscribed ellipses is covered by a tenth of a cell.
+template <int D>
+void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point) {
+    constexpr double half_width = 0.5; // [cells]
+    constexpr double tolerance = 0.1;  // [cells]
+    const Particles<D>& particles = state.particles;
+    const double length = state.grid.length();
+    const Vec<D> node = state.grid.node_position(group.node);
+    Edges all;
+    Edges near;
+    point.cloud_size = 0;
+    for (const std::int32_t p : particles_of_group(state.contact, g)) {
+        if (!takes_part(point, particles.body[p])) continue;
+        ++point.cloud_size;
+        const Vec<D> x = particles.position[p] - node;
+        const double along = x.dot(point.normal);
+        const double R = edge_distance<D>(particles.deformation_gradient[p], particles.half_size[p], point.normal);
+        const bool side_a = particles.body[p] == point.body_a;
+        all.add(side_a, along, R);
+        if ((x - along * point.normal).squaredNorm() < half_width * half_width * length * length)
+            near.add(side_a, along, R);
+    }
+    point.separation = all.b - all.a;
+    point.overlap = std::max(0.0, near.a - near.b - tolerance * length);
+}
+
+/// Mass of the other side of a point.
+template <int D>
+double mass_of_others(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point) {
+    return sum_of_others(state.contact, group, point, state.nodes.momentum)[0];
+}
+
+/// Separation from extrapolated positions (notes 3.48) [m].
+template <int D>
+double by_positions(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point) {
+    const std::vector<Pack>& mass_position = state.contact.mass_position;
+    const Vec<D> node = state.grid.node_position(group.node) - state.grid.origin;
+    const double inverse_length = 1 / state.grid.length();
+    const auto apparent = [&](const Pack& moment, double mass) {
+        return (vector_of<D>(moment) / mass - node).dot(point.normal) * inverse_length;
+    };
+    const double a = apparent(mass_position[point.slot_a], state.nodes.momentum[point.slot_a][0]);
+    const double b =
+        apparent(sum_of_others(state.contact, group, point, mass_position), mass_of_others(state, group, point));
+    const ContactSpec& spec = *state.scene.contact;
+    if (spec.separation == SeparationMethod::critical_position)
+        return state.grid.length() * critical_position(a, b, spec.offset);
+    switch (spec.fit) {
+    case PositionFit::two_per_cell:
+        return state.grid.length() * (two_per_cell(b) + two_per_cell(-a));
+    case PositionFit::one_per_cell:
+        return state.grid.length() * (one_per_cell(b) + one_per_cell(-a));
+    case PositionFit::power_law:
+        break;
+    }
+    return state.grid.length() * fitted_position(a, b, spec.exponent);
+}
+
+template <int D>
+double by_displacements(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point) {
+    const std::vector<Pack>& moment = state.contact.mass_displacement;
+    return displacement_separation<D>(moment[point.slot_a], state.nodes.momentum[point.slot_a][0],
+                                      sum_of_others(state.contact, group, point, moment),
+                                      mass_of_others(state, group, point), point.normal);
+}
+
+template <int D>
+void find_separation(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (point.normal.isZero()) {
+        point.separation = infinity; // no plane: no contact
+        return;
+    }
+    switch (state.scene.contact->separation) {
+    case SeparationMethod::particle_edges:
+        by_edges(state, group, g, point);
+        break;
+    case SeparationMethod::critical_position:
+    case SeparationMethod::fitted_position:
+        point.separation = by_positions(state, group, point);
+        break;
+    case SeparationMethod::displacement:
+        point.separation = by_displacements(state, group, point);
+        break;
+    case SeparationMethod::none:
+        point.separation = -infinity;
+        break;
+    }
+}
+
+} // namespace
+
+template <int D>
+void find_separations(State<D>& state) {
+    Contact<D>& contact = state.contact;
+    const auto n = static_cast<std::ptrdiff_t>(contact.groups.size());
+#pragma omp parallel for schedule(dynamic, 64)
+    for (std::ptrdiff_t g = 0; g < n; ++g)
+        for_each_point(contact, contact.groups[g],
+                       [&](ContactPoint<D>& point) { find_separation(state, contact.groups[g], g, point); });
+}
+
+template void find_separations<2>(State<2>&);
+template void find_separations<3>(State<3>&);
+
+} // namespace abut
