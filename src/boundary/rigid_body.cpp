@@ -5,8 +5,22 @@
 
 namespace abut {
 
+namespace {
+
+/// By body; those of the others are not used.
+template <int D>
+std::vector<RigidPose> poses(const State<D>& state, double time) {
+    std::vector<RigidPose> result(state.bodies.size());
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        if (state.bodies[b].rigid) result[b] = rigid_pose(*state.bodies[b].rigid, time);
+    return result;
+}
+
+} // namespace
+
 template <int D>
 void set_rigid_velocities(const State<D>& state, double time, std::vector<Pack>& velocity) {
+    const std::vector<RigidPose> pose = poses(state, time);
     const auto n = static_cast<std::ptrdiff_t>(state.fields.blocks.size());
 #pragma omp parallel for schedule(dynamic, 16)
     for (std::ptrdiff_t b = 0; b < n; ++b) {
@@ -16,8 +30,7 @@ void set_rigid_velocities(const State<D>& state, double time, std::vector<Pack>&
                 const std::int32_t body = state.fields.field[slot];
                 if (!is_rigid(state, body)) continue;
                 const Vec<D> x = state.grid.node_position(block.node(static_cast<int>(local)));
-                const Vector v = rigid_velocity(*state.bodies[body].rigid, to_array<D>(x), time);
-                velocity[slot] = pack<D>(velocity[slot][0], to_vec<D>(v));
+                velocity[slot] = pack<D>(velocity[slot][0], to_vec<D>(pose[body].velocity_at(to_array<D>(x))));
             }
     }
 }
@@ -25,20 +38,21 @@ void set_rigid_velocities(const State<D>& state, double time, std::vector<Pack>&
 template <int D>
 void move_rigid_bodies(State<D>& state) {
     Particles<D>& particles = state.particles;
-    const double time = state.time + state.dt;
+    const std::vector<RigidPose> before = poses(state, state.time);
+    const std::vector<RigidPose> after = poses(state, state.time + state.dt);
     std::vector<std::int32_t> outside(state.tiling.tiles.size(), -1);
     for_each_tile(state.tiling, [&](const Tile<D>& tile) {
         if (!is_rigid(state, tile.body)) return;
-        const RigidSpec& rigid = *state.bodies[tile.body].rigid;
-        const Mat<D> turned = rigid_rotation(rigid, state.time, time).template topLeftCorner<D, D>();
+        const RigidPose& pose = after[tile.body];
+        const Mat<3> turn = pose.rotation * before[tile.body].rotation.transpose();
+        const Mat<D> turn_here = turn.template topLeftCorner<D, D>();
+        const bool turns = !state.bodies[tile.body].rigid->angular_velocity.is_zero();
+        std::int32_t& first = outside[&tile - state.tiling.tiles.data()];
         for (std::int32_t p = tile.first; p < tile.last; ++p) {
-            const Vector x0 = to_array<D>(state.initial_position[particles.id[p]]);
-            const Vector x = rigid_position(rigid, x0, time);
+            const Vector x = pose.position_of(to_array<D>(state.initial_position[particles.id[p]]));
             particles.position[p] = to_vec<D>(x);
-            particles.velocity[p] = to_vec<D>(rigid_velocity(rigid, x, time));
-            if (!rigid.angular_velocity.is_zero())
-                particles.deformation_gradient[p] = turned * particles.deformation_gradient[p];
-            std::int32_t& first = outside[&tile - state.tiling.tiles.data()];
+            particles.velocity[p] = to_vec<D>(pose.velocity_at(x));
+            if (turns) particles.deformation_gradient[p] = turn_here * particles.deformation_gradient[p];
             if (first < 0 && !state.grid.contains(particles.position[p])) first = p;
         }
     });

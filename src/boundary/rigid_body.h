@@ -10,8 +10,8 @@ bool is_rigid(const State<D>& state, std::int32_t body) {
     return state.effects.rigid && state.bodies[body].rigid.has_value();
 }
 
-/// Sets the velocities of the slots of rigid bodies to those of the bodies at the nodes: exactly, and not as the
-/// particles' extrapolate. Masses stay what the particles give.
+/// Sets the velocities of the slots of rigid bodies to those of the bodies at the nodes at a time: exactly, and not as
+/// the particles' extrapolate. Masses stay what the particles give.
 template <int D>
 void set_rigid_velocities(const State<D>& state, double time, std::vector<Pack>& velocity);
 

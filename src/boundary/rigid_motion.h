@@ -4,16 +4,21 @@
 
 namespace abut {
 
-/// Where the centre of a rigid body is at a time [m].
-Vector rigid_center(const RigidSpec& rigid, double time);
+/// Place and velocity of a rigid body at one time.
+struct RigidPose {
+    Vec<3> center_at_start;  ///< [m]
+    Vec<3> center;           ///< [m]
+    Mat<3> rotation;         ///< since time 0
+    Vec<3> velocity;         ///< of the centre [m/s]
+    Vec<3> angular_velocity; ///< [rad/s]
 
-/// Velocity of a rigid body at a place (notes 4.28): v + ω × (x − c) [m/s].
-Vector rigid_velocity(const RigidSpec& rigid, const Vector& x, double time);
+    /// Where a point of the body that was at x0 at time 0 is [m].
+    Vector position_of(const Vector& x0) const;
+    /// Velocity of the body at a place (notes 4.28): v + ω × (x − c) [m/s].
+    Vector velocity_at(const Vector& x) const;
+};
 
-/// Where a point of a rigid body that was at x0 at time 0 is at a time [m].
-Vector rigid_position(const RigidSpec& rigid, const Vector& x0, double time);
-
-/// The rotation of a rigid body from one time to another.
-Mat<3> rigid_rotation(const RigidSpec& rigid, double from, double to);
+/// The pose that a prescribed motion has at a time; its centre must be set.
+RigidPose rigid_pose(const RigidSpec& rigid, double time);
 
 } // namespace abut

@@ -16,8 +16,7 @@ public:
 
     void add(const ContactGroup<D>& group) {
         const bool lumped = group.uses_lumped || state_.contact.points[group.first_point].slot_b < 0;
-        const Range points = group.uses_lumped ? Range{group.first_lumped, group.last_lumped}
-                                               : Range{group.first_point, group.last_point};
+        const Range points = points_in_use(group);
         for (std::int32_t i = points.first; i < points.last; ++i) add_work(group, state_.contact.points[i]);
         if (lumped)
             add_lumped(group, points);
@@ -52,13 +51,13 @@ private:
     }
 
     void give_rigid(std::int32_t body, const ContactGroup<D>& group, const Vec<D>& impulse) {
-        const Vector center = rigid_center(*state_.bodies[body].rigid, state_.time + 0.5 * state_.dt);
+        const Vec<3> center = rigid_pose(*state_.bodies[body].rigid, state_.time + 0.5 * state_.dt).center;
         const Vector place = to_array<D>(state_.grid.node_position(group.node));
         const Vector p = to_array<D>(impulse);
         Vector arm{};
         RigidTotals& totals = state_.rigid_totals[body];
         for (std::size_t a = 0; a < 3; ++a) {
-            arm[a] = place[a] - center[a];
+            arm[a] = place[a] - center[static_cast<int>(a)];
             totals.impulse[a] += p[a];
         }
         for (std::size_t a = 0; a < 3; ++a)

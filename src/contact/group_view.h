@@ -6,9 +6,16 @@
 
 namespace abut {
 
+/// The points of a group whose impulses act: those of the pairs, or of the bodies lumped.
+template <int D>
+Range points_in_use(const ContactGroup<D>& group) {
+    return group.uses_lumped ? Range{group.first_lumped, group.last_lumped}
+                             : Range{group.first_point, group.last_point};
+}
+
 /// Calls work(point) for all points of a group, pairs and lumped.
-template <int D, class Work>
-void for_each_point(Contact<D>& contact, const ContactGroup<D>& group, Work&& work) {
+template <class AnyContact, int D, class Work>
+void for_each_point(AnyContact& contact, const ContactGroup<D>& group, Work&& work) {
     for (std::int32_t i = group.first_point; i < group.last_point; ++i) work(contact.points[i]);
     for (std::int32_t i = group.first_lumped; i < group.last_lumped; ++i) work(contact.points[i]);
 }

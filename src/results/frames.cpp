@@ -7,6 +7,7 @@
 #include "step/tasks.h"
 
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace abut {
@@ -72,15 +73,20 @@ void look(State<D>& state) {
         return PointKey{group.node, point.body_a, point.body_b, point.slot_b < 0};
     };
     std::map<PointKey, const ContactPoint<D>*> last_points;
-    for (const ContactGroup<D>& group : last.groups)
+    std::set<Index<D>> lumped;
+    for (const ContactGroup<D>& group : last.groups) {
         for_each_point(last, group, [&](const ContactPoint<D>& point) { last_points[key(group, point)] = &point; });
-    for (const ContactGroup<D>& group : state.contact.groups)
+        if (group.uses_lumped) lumped.insert(group.node);
+    }
+    for (ContactGroup<D>& group : state.contact.groups) {
+        group.uses_lumped = group.first_lumped < group.last_lumped && lumped.count(group.node) > 0;
         for_each_point(state.contact, group, [&](ContactPoint<D>& point) {
             const auto found = last_points.find(key(group, point));
             if (found == last_points.end()) return;
             point.impulse = found->second->impulse;
             point.touching = found->second->touching;
         });
+    }
 }
 
 template <int D>
@@ -189,12 +195,15 @@ std::map<std::pair<std::int32_t, std::int32_t>, double> contact_areas(State<D>& 
     look(state);
     std::map<std::pair<std::int32_t, std::int32_t>, double> areas;
     const std::vector<Pack> gradients = volume_gradients(state);
-    for (const ContactGroup<D>& group : state.contact.groups)
-        for_each_point(state.contact, group, [&](const ContactPoint<D>& point) {
-            if (point.impulse.isZero(0)) return;
+    for (const ContactGroup<D>& group : state.contact.groups) {
+        const Range points = points_in_use(group);
+        for (std::int32_t i = points.first; i < points.last; ++i) {
+            const ContactPoint<D>& point = state.contact.points[i];
+            if (point.impulse.isZero(0)) continue;
             const double share = point.slot_b < 0 ? 0.5 : 1; // lumped: both bodies have a point
             areas[std::minmax(point.body_a, point.body_b)] += share * point_area(state, group, point, gradients);
-        });
+        }
+    }
     return areas;
 }
 
@@ -206,7 +215,8 @@ PointFrame contact_frame(State<D>& state) {
     std::vector<std::int32_t> in_contact, body_a, body_b, cloud_size, iterations;
     std::vector<Pack> gradients = volume_gradients(state);
     for (const ContactGroup<D>& group : state.contact.groups) {
-        for (std::int32_t i = group.first_point; i < group.last_point; ++i) {
+        const Range points = points_in_use(group);
+        for (std::int32_t i = points.first; i < points.last; ++i) {
             const ContactPoint<D>& point = state.contact.points[i];
             append(frame.points, to_array<D>(state.grid.node_position(group.node)));
             append(normal, to_array<D>(point.normal));

@@ -1,5 +1,6 @@
 #include "step/check_state.h"
 
+#include "boundary/rigid_body.h"
 #include "plan/time_step.h"
 #include "step/step.h"
 #include "step/tasks.h"
@@ -38,7 +39,7 @@ bool anything_moves(const State<D>& state, std::int32_t wall_number) {
     const auto is_still = [](const InitialVelocity& v) { return v == InitialVelocity{{}, {}, v.center}; };
     if (state.effects.gravity || state.effects.tractions) return true;
     if (!std::all_of(state.bodies.begin(), state.bodies.end(),
-                     [&](const ModelBody& body) { return is_still(body.velocity); }))
+                     [&](const ModelBody& body) { return is_still(body.velocity) && !body.rigid; }))
         return true;
     return std::any_of(state.boundaries.begin(), state.boundaries.end(), [&](const Boundary& boundary) {
         if (&boundary == &state.boundaries[wall_number]) return false; // see approaches()
@@ -75,9 +76,42 @@ void check_wall(const State<D>& state, const WallSpec& wall, std::int32_t number
 
 } // namespace
 
+/// Where a scene names a rigid body.
+std::string pointer_of(const Scene& scene, const std::string& rigid_body) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (scene.bodies[i].name == rigid_body) return "/bodies/" + std::to_string(i) + "/rigid";
+    return "/images";
+}
+
+/// Rigid bodies that will leave the grid, as far as a hundred looks on the way show.
+template <int D>
+void check_rigid(const State<D>& state, Problems& problems) {
+    constexpr int looks = 100;
+    std::vector<char> reported(state.bodies.size(), 0);
+    for (int i = 0; i <= looks; ++i) {
+        const double time = state.scene.time.end * i / looks;
+        for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+            if (!state.bodies[b].rigid || reported[b]) continue;
+            const RigidPose pose = rigid_pose(*state.bodies[b].rigid, time);
+            for (std::size_t p = 0; p < state.particles.size(); ++p) {
+                if (state.particles.body[p] != static_cast<std::int32_t>(b)) continue;
+                if (state.grid.contains(to_vec<D>(pose.position_of(to_array<D>(state.particles.position[p])))))
+                    continue;
+                std::ostringstream text;
+                text << "rigid body \"" << state.bodies[b].name << "\" moves out of the grid before t = " << time
+                     << " s";
+                problems.push_back({pointer_of(state.scene, state.bodies[b].name), text.str()});
+                reported[b] = 1;
+                break;
+            }
+        }
+    }
+}
+
 template <int D>
 std::vector<Problem> check_state(State<D>& state) {
     Problems problems;
+    if (state.effects.rigid) check_rigid(state, problems);
     check_time_step(state, problems);
     for (std::size_t b = 0; b < state.boundaries.size(); ++b) {
         const auto* traction = std::get_if<TractionSpec>(&state.boundaries[b].condition);

@@ -74,7 +74,7 @@ State<D> make_state(const Scene& scene, const Model& model) {
     for (std::size_t p = 0; p < state.particles.size(); ++p)
         if (const std::optional<RigidSpec>& rigid = state.bodies[state.particles.body[p]].rigid)
             state.particles.velocity[p] =
-                to_vec<D>(rigid_velocity(*rigid, to_array<D>(state.particles.position[p]), 0));
+                to_vec<D>(rigid_pose(*rigid, 0).velocity_at(to_array<D>(state.particles.position[p])));
     for (const ModelBody& body : model.bodies) {
         if (body.rigid) continue;
         const Material& material = state.materials[body.material];

@@ -26,20 +26,23 @@ TEST(RigidBodies, MoveAsPrescribed) {
     rigid.velocity = {TimeFunction({0, 2}, {0, 4}), TimeFunction(-1), TimeFunction(0)};
     rigid.angular_velocity = TimeFunction({0, 1}, {0, 3});
     rigid.center = Vector{1, 2, 0};
-    EXPECT_EQ(rigid_center(rigid, 1), (Vector{2, 1, 0})) << "∫ 2t dt = 1";
+    const RigidPose pose = rigid_pose(rigid, 1);
+    EXPECT_EQ(pose.center, (Vec<3>{2, 1, 0})) << "∫ 2t dt = 1";
     const double angle = 1.5; // ∫ 3t dt
-    const Vector x = rigid_position(rigid, {3, 2, 0}, 1);
+    const Vector x = pose.position_of({3, 2, 0});
     EXPECT_NEAR(x[0], 2 + 2 * std::cos(angle), 1e-14);
     EXPECT_NEAR(x[1], 1 + 2 * std::sin(angle), 1e-14);
-    const Vector v = rigid_velocity(rigid, x, 1);
+    const Vector v = pose.velocity_at(x);
     EXPECT_NEAR(v[0], 2 - 3 * 2 * std::sin(angle), 1e-14);
     EXPECT_NEAR(v[1], -1 + 3 * 2 * std::cos(angle), 1e-14);
     // About another axis in 3D.
     rigid.axis = {0, -2, 0};
-    EXPECT_NEAR(rigid_velocity(rigid, {3, 1, 5}, 1)[2], 3 * 1, 1e-14);
+    EXPECT_NEAR(rigid_pose(rigid, 1).velocity_at({3, 1, 5})[2], 3 * 1, 1e-14);
     // The position is the velocity's integral.
-    const Vector a = rigid_position(rigid, {3, 1, 5}, 0.7 - 1e-6), b = rigid_position(rigid, {3, 1, 5}, 0.7 + 1e-6);
-    const Vector u = rigid_velocity(rigid, rigid_position(rigid, {3, 1, 5}, 0.7), 0.7);
+    const Vector x0{3, 1, 5};
+    const Vector a = rigid_pose(rigid, 0.7 - 1e-6).position_of(x0), b = rigid_pose(rigid, 0.7 + 1e-6).position_of(x0);
+    const RigidPose between = rigid_pose(rigid, 0.7);
+    const Vector u = between.velocity_at(between.position_of(x0));
     for (int i = 0; i < 3; ++i) EXPECT_NEAR((b[i] - a[i]) / 2e-6, u[i], 1e-8);
 }
 
