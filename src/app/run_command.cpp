@@ -36,9 +36,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 class Schedule {
 public:
     explicit Schedule(double every) : every_(every) {}
+    /// Whether due(time) would be true.
+    bool is_due(double time) const { return every_ > 0 && time >= next_; }
     /// True once for each due time that `time` has reached; several at once count as one.
     bool due(double time) {
-        if (every_ <= 0 || time < next_) return false;
+        if (!is_due(time)) return false;
         next_ = (std::floor(time / every_ * (1 + 1e-12)) + 1) * every_;
         return true;
     }
@@ -129,6 +131,8 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
                                            "advances the time; the run has diverged",
                                            state.step, state.time, state.dt));
             }
+            const double after = state.time + state.dt;
+            state.wants_areas = state.effects.pairs && (history.is_due(after) || after >= end);
             advance(state, tasks);
             timing.solver_seconds += seconds_since(step_start);
             progress.update(state.step, state.time);

@@ -44,7 +44,8 @@ struct ContactGroup {
     std::int32_t first_point = 0, last_point = 0; ///< one for each pair, or for each body if lumped
     /// Points of the bodies lumped beside those of the pairs (ThreeOrMore::up_to_two); else none.
     std::int32_t first_lumped = 0, last_lumped = 0;
-    bool uses_lumped = false; ///< the present pass corrects these, not the pairs
+    std::int32_t rigid_slot = -1; ///< of the rigid body among them, the first if there are several; -1: none
+    bool uses_lumped = false;     ///< the present pass corrects these, not the pairs
 };
 
 /// Some of Contact::points.

@@ -35,12 +35,12 @@ template <int D>
 Side side_b(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
             const std::vector<Pack>& velocity) {
     if (point.slot_b >= 0) return {point.rigid_b ? 0.0 : 1 / velocity[point.slot_b][0], velocity[point.slot_b]};
+    if (group.rigid_slot >= 0) return {0, velocity[group.rigid_slot]};
     double mass = 0;
     Pack momentum{};
     for (std::int32_t i = group.first; i < group.last; ++i) {
         const std::int32_t slot = state.contact.active[i];
         if (slot == point.slot_a) continue;
-        if (point.rigid_b && is_rigid(state, state.fields.field[slot])) return {0, velocity[slot]};
         mass += velocity[slot][0];
         momentum += velocity[slot][0] * velocity[slot];
     }
@@ -68,8 +68,16 @@ Vec<D> momentum_at_start(const State<D>& state, const ContactGroup<D>& group, co
 template <int D>
 Meeting<D> meeting_at(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
                       const Vec<D>& stick, double mass, const Pass& pass) {
-    Meeting<D> at{stick, point.normal, mass, state.dt, point.carried_separation, state.grid.length(), pass.second};
+    Meeting<D> at;
+    at.stick = stick;
+    at.normal = point.normal;
+    at.mass = mass;
+    at.dt = state.dt;
+    at.separation = point.carried_separation;
+    at.second_pass = pass.second;
     if (!state.effects.areas) return at;
+    at.cell = state.grid.length();
+    at.crossing = at.cell / state.largest_wave_speed;
     at.area = point.area;
     at.discontinuity = point.discontinuity;
     at.separation_at_start = point.separation;
@@ -98,7 +106,8 @@ void correct_lumped(State<D>& state, const ContactGroup<D>& group, Range points,
         const InterfaceStep<D> step = apply_law(contact.laws.between(point.body_a, point.body_b),
                                                 meeting_at<D>(state, group, point, mass * approach, mass, pass));
         point.impulse = step.impulse;
-        point.interface_energy = 0.5 * step.energy; // each interface is seen from both sides
+        // Each interface is seen from both sides, but for those with rigid bodies.
+        point.interface_energy = (point.rigid_b ? 1 : 0.5) * step.energy;
     }
     for (std::int32_t i = points.first; i < points.last; ++i) {
         const ContactPoint<D>& point = contact.points[i];
@@ -267,8 +276,10 @@ template <int D>
 void correct_for_contact(State<D>& state, std::vector<Pack>& velocity, std::vector<Pack>* change) {
     if (change) change->assign(state.fields.size(), Pack{});
     const std::vector<ContactPoint<D>> points = state.contact.points;
+    const std::vector<ContactGroup<D>> groups = state.contact.groups;
     correct_all(state, {}, velocity, change);
     state.contact.points = points;
+    state.contact.groups = groups;
 }
 
 template void first_contact_pass<2>(State<2>&);

@@ -12,22 +12,30 @@ namespace {
 template <int D>
 class Settlement {
 public:
-    explicit Settlement(State<D>& state) : state_(state), last_(state.pair_totals.end()) {}
+    explicit Settlement(State<D>& state)
+        : state_(state), last_(state.pair_totals.end()), centers_(state.bodies.size()) {
+        for (std::size_t b = 0; b < state.bodies.size(); ++b)
+            if (const auto& rigid = state.bodies[b].rigid)
+                centers_[b] = rigid_pose(*rigid, state.time + 0.5 * state.dt).center;
+    }
 
     void add(const ContactGroup<D>& group) {
-        const bool lumped = group.uses_lumped || state_.contact.points[group.first_point].slot_b < 0;
-        const Range points = points_in_use(group);
-        for (std::int32_t i = points.first; i < points.last; ++i) add_work(group, state_.contact.points[i]);
-        if (lumped)
-            add_lumped(group, points);
-        else
-            for (std::int32_t i = points.first; i < points.last; ++i) {
-                const ContactPoint<D>& point = state_.contact.points[i];
-                give(group, point.body_a, point.body_b, point.impulse + point.first_impulse);
-            }
+        // Points out of use have no impulse of the second pass, but may have one of the first.
+        const bool lumped = state_.contact.points[group.first_point].slot_b < 0;
+        add_points(group, {group.first_point, group.last_point}, lumped);
+        add_points(group, {group.first_lumped, group.last_lumped}, true);
     }
 
 private:
+    void add_points(const ContactGroup<D>& group, Range points, bool lumped) {
+        for (std::int32_t i = points.first; i < points.last; ++i) {
+            const ContactPoint<D>& point = state_.contact.points[i];
+            add_work(group, point);
+            if (!lumped) give(group, point.body_a, point.body_b, point.impulse + point.first_impulse);
+        }
+        if (lumped) add_lumped(group, points);
+    }
+
     PairTotals& pair(std::int32_t a, std::int32_t b) {
         const std::pair key = std::minmax(a, b);
         if (last_ == state_.pair_totals.end() || last_->first != std::pair<std::int32_t, std::int32_t>(key))
@@ -51,13 +59,12 @@ private:
     }
 
     void give_rigid(std::int32_t body, const ContactGroup<D>& group, const Vec<D>& impulse) {
-        const Vec<3> center = rigid_pose(*state_.bodies[body].rigid, state_.time + 0.5 * state_.dt).center;
         const Vector place = to_array<D>(state_.grid.node_position(group.node));
         const Vector p = to_array<D>(impulse);
         Vector arm{};
         RigidTotals& totals = state_.rigid_totals[body];
         for (std::size_t a = 0; a < 3; ++a) {
-            arm[a] = place[a] - center[static_cast<int>(a)];
+            arm[a] = place[a] - centers_[body][static_cast<int>(a)];
             totals.impulse[a] += p[a];
         }
         for (std::size_t a = 0; a < 3; ++a)
@@ -74,12 +81,10 @@ private:
             return Vec<D>(point.impulse + point.first_impulse);
         };
         const auto body = [&](std::int32_t i) { return state_.contact.points[points.first + i].body_a; };
-        std::int32_t rigid = -1;
-        for (std::int32_t i = group.first; i < group.last; ++i)
-            if (const std::int32_t b = state_.fields.field[state_.contact.active[i]]; is_rigid(state_, b)) rigid = b;
+        const std::int32_t rigid = group.rigid_slot >= 0 ? state_.fields.field[group.rigid_slot] : -1;
         for (std::int32_t k = 0; k < n; ++k) {
             if (rigid >= 0) {
-                if (body(k) != rigid) give(group, body(k), rigid, impulse(k));
+                give(group, body(k), rigid, impulse(k));
                 continue;
             }
             for (std::int32_t l = k + 1; l < n; ++l) give(group, body(k), body(l), (impulse(k) - impulse(l)) / n);
@@ -91,12 +96,13 @@ private:
         if (point.impulse.isZero(0) && point.interface_energy == 0) return;
         PairTotals& totals = pair(point.body_a, point.body_b);
         totals.interface_energy += point.interface_energy;
+        if (!point.impulse.isZero(0)) totals.area += (point.slot_b < 0 && !point.rigid_b ? 0.5 : 1) * point.area;
         // At lumped points each body's own work is counted, so that the sum over the points is that of all bodies.
         const bool lumped = point.slot_b < 0;
         const Vec<D> a = mean_velocity(point.slot_a);
         Vec<D> relative = a;
         if (!lumped) relative -= mean_velocity(point.slot_b);
-        if (lumped && point.rigid_b) relative -= rigid_mean_velocity(group);
+        if (lumped && point.rigid_b) relative -= mean_velocity(group.rigid_slot);
         const Vec<D> along = point.impulse - point.impulse.dot(point.normal) * point.normal;
         const double work = point.impulse.dot(relative);
         const double friction =
@@ -110,22 +116,16 @@ private:
         if (point.rigid_a) state_.ledger.external_work -= point.impulse.dot(a);
     }
 
-    Vec<D> rigid_mean_velocity(const ContactGroup<D>& group) const {
-        for (std::int32_t i = group.first; i < group.last; ++i) {
-            const std::int32_t slot = state_.contact.active[i];
-            if (is_rigid(state_, state_.fields.field[slot])) return mean_velocity(slot);
-        }
-        return Vec<D>::Zero();
-    }
-
     State<D>& state_;
     std::map<std::pair<std::int32_t, std::int32_t>, PairTotals>::iterator last_;
+    std::vector<Vec<3>> centers_; ///< of rigid bodies
 };
 
 } // namespace
 
 template <int D>
 void find_areas_and_displacements(State<D>& state) {
+    if (!state.effects.areas && !state.wants_areas) return;
     Contact<D>& contact = state.contact;
     const auto n = static_cast<std::ptrdiff_t>(contact.groups.size());
 #pragma omp parallel for schedule(static)
@@ -136,7 +136,7 @@ void find_areas_and_displacements(State<D>& state) {
             point.area =
                 contact_area<D>(vector_of<D>(gradient[point.slot_a]),
                                 vector_of<D>(sum_of_others(state.contact, group, point, gradient)), point.normal);
-            if (!state.effects.displacements) return;
+            if (!state.effects.interfaces) return;
             const auto displacement = [&](const Pack& moment, const Pack& mass) {
                 return vector_of<D>(moment / mass[0]);
             };
@@ -152,8 +152,7 @@ void find_areas_and_displacements(State<D>& state) {
 template <int D>
 void settle_contact(State<D>& state) {
     state.ledger.interface_energy = 0;
-    if (state.effects.interfaces)
-        for (auto& [bodies, totals] : state.pair_totals) totals.interface_energy = 0;
+    for (auto& [bodies, totals] : state.pair_totals) totals.interface_energy = totals.area = 0;
     Settlement<D> settlement(state);
     for (const ContactGroup<D>& group : state.contact.groups) settlement.add(group);
 }

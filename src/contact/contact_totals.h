@@ -11,7 +11,8 @@ double contact_area(const Vec<D>& gradient_a, const Vec<D>& gradient_b, const Ve
     return std::abs(0.5 * (gradient_a - gradient_b).dot(normal));
 }
 
-/// Area and displacement discontinuity of every point, for the laws that need them.
+/// Area and displacement discontinuity of every point, for the laws that need them and for pairs.csv when it is due
+/// (State::wants_areas).
 template <int D>
 void find_areas_and_displacements(State<D>& state);
 

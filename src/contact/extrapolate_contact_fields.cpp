@@ -48,7 +48,9 @@ void extrapolate(State<D>& state, std::vector<Pack>* gradient, std::vector<Pack>
 template <int D>
 void extrapolate_contact_fields(State<D>& state) {
     const Effects& effects = state.effects;
-    extrapolate(state, effects.gradients || effects.volumes ? &state.contact.volume_gradient : nullptr,
+    if (!effects.contact_fields() && !state.wants_areas) return;
+    extrapolate(state,
+                effects.gradients || effects.volumes || state.wants_areas ? &state.contact.volume_gradient : nullptr,
                 effects.positions ? &state.contact.mass_position : nullptr,
                 effects.displacements ? &state.contact.mass_displacement : nullptr);
 }

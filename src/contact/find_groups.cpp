@@ -10,11 +10,11 @@ namespace {
 /// pair.
 template <int D>
 std::int32_t main_partner(const State<D>& state, const ContactGroup<D>& group, std::int32_t own) {
+    if (group.rigid_slot >= 0) return group.rigid_slot;
     std::int32_t best = -1;
     for (std::int32_t i = group.first; i < group.last; ++i) {
         const std::int32_t slot = state.contact.active[i];
         if (slot == own) continue;
-        if (is_rigid(state, state.fields.field[slot])) return slot;
         if (best < 0 || state.nodes.momentum[slot][0] > state.nodes.momentum[best][0]) best = slot;
     }
     return best;
@@ -89,6 +89,8 @@ void find_groups(State<D>& state) {
             contact.active.resize(group.first);
             continue;
         }
+        for (std::int32_t i = group.last; i-- > group.first;)
+            if (is_rigid(state, state.fields.field[contact.active[i]])) group.rigid_slot = contact.active[i];
         add_points(state, group);
         if (group.first_point == group.last_point) { // rigid bodies alone
             contact.active.resize(group.first);

@@ -70,6 +70,7 @@ Effects effects_of(const Scene& scene) {
             effects.volumes |= effects.areas;
             effects.contact_strain = effects.fmpm;
             effects.planes = true;
+            effects.pairs = scene.output.pairs;
             effects.regression = is_regression(contact.normal);
             effects.gradients = is_gradient(contact.normal) || (effects.rigid && contact.rigid_bias > 0);
             effects.volumes |= contact.normal == NormalMethod::maximum_volume;

@@ -18,6 +18,7 @@ struct Effects {
     bool pic = false;            ///< particles take their velocities from the grid, not changes of them
     bool rigid = false;          ///< bodies whose motion is prescribed
     bool areas = false;          ///< contact areas: laws with tractions
+    bool pairs = false;          ///< contact areas in the steps before a row of pairs.csv
     bool interfaces = false;     ///< contact laws that store energy
     int extra_orders = 0;        ///< gather-scatter sweeps of XPIC and FMPM: order - 1
     bool fmpm = false;           ///< grid velocities by the full mass matrix, order 2 and more

@@ -56,7 +56,7 @@ double interface_step_limit(const Scene& scene, double stiffness) {
     for (const MaterialSpec& material : scene.materials) density = std::min(density, material.density);
     const Vector cell = effective_cell(scene.grid);
     const double length = *std::min_element(cell.begin(), cell.begin() + dimension(scene.analysis));
-    return 0.5 * std::numbers::pi * std::sqrt(density * length / (2 * stiffness));
+    return 0.5 * std::numbers::pi * std::sqrt(density * length / (4 * stiffness));
 }
 
 double initial_step(const Scene& scene) {

@@ -17,9 +17,10 @@ double cfl_limit(const Scene& scene);
 /// Largest stiffness of a contact law's springs, across or along the interface; 0 if it has none [Pa/m].
 double largest_stiffness(const LawSpec& law);
 
-/// Largest time step that carries springs of a stiffness D at nodes full of the lightest material, where the reduced
-/// mass is ρ Δx³/2 and the area Δx²: κ Δt < π/2, hence Δt < (π/2) √(ρ Δx / 2D) (notes 5.35-5.38). At nodes with less
-/// mass the springs are too stiff for such a step as well, and the bodies stick there [s].
+/// Largest time step that carries springs of a stiffness D at nodes that two bodies of the lightest material share
+/// evenly, where the reduced mass is ρ Δx³/4 and the area Δx²: κ Δt < π/2, hence Δt < (π/2) √(ρ Δx / 4D)
+/// (notes 5.35-5.38, which take the mass of one body, twice as much). At nodes with less mass springs are too stiff for
+/// such a step as well, and the bodies stick there [s].
 double interface_step_limit(const Scene& scene, double stiffness);
 
 /// The scene's time step while its materials are at rest [s].

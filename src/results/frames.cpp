@@ -165,7 +165,7 @@ GridFrame grid_frame(const State<D>& state) {
             Pack momentum{};
             for (std::int32_t slot = block.first_slot[local]; slot < block.first_slot[local + 1]; ++slot) {
                 const Pack v = state.nodes.end_velocity[slot];
-                if (!(v[0] > 0)) continue;
+                if (!(v[0] > 0) || is_rigid(state, state.fields.field[slot])) continue;
                 mass[i] += v[0];
                 momentum += v[0] * v;
                 ++count[i];
@@ -188,23 +188,6 @@ GridFrame grid_frame(const State<D>& state) {
         frame.arrays.push_back({"contact_separation", 1, std::move(separation)});
     }
     return frame;
-}
-
-template <int D>
-std::map<std::pair<std::int32_t, std::int32_t>, double> contact_areas(State<D>& state) {
-    look(state);
-    std::map<std::pair<std::int32_t, std::int32_t>, double> areas;
-    const std::vector<Pack> gradients = volume_gradients(state);
-    for (const ContactGroup<D>& group : state.contact.groups) {
-        const Range points = points_in_use(group);
-        for (std::int32_t i = points.first; i < points.last; ++i) {
-            const ContactPoint<D>& point = state.contact.points[i];
-            if (point.impulse.isZero(0)) continue;
-            const double share = point.slot_b < 0 ? 0.5 : 1; // lumped: both bodies have a point
-            areas[std::minmax(point.body_a, point.body_b)] += share * point_area(state, group, point, gradients);
-        }
-    }
-    return areas;
 }
 
 template <int D>
@@ -245,8 +228,6 @@ template PointFrame particle_frame<2>(const State<2>&);
 template PointFrame particle_frame<3>(const State<3>&);
 template GridFrame grid_frame<2>(const State<2>&);
 template GridFrame grid_frame<3>(const State<3>&);
-template std::map<std::pair<std::int32_t, std::int32_t>, double> contact_areas<2>(State<2>&);
-template std::map<std::pair<std::int32_t, std::int32_t>, double> contact_areas<3>(State<3>&);
 template PointFrame contact_frame<2>(State<2>&);
 template PointFrame contact_frame<3>(State<3>&);
 

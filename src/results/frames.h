@@ -10,11 +10,6 @@ namespace abut {
 template <int D>
 void look(State<D>& state);
 
-/// Contact area of each pair of bodies a < b that pressed on each other in the last step, of the particles as they are
-/// now [m^2]; looks.
-template <int D>
-std::map<std::pair<std::int32_t, std::int32_t>, double> contact_areas(State<D>& state);
-
 /// All particles in the model's order (contract §3).
 template <int D>
 PointFrame particle_frame(const State<D>& state);

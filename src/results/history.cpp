@@ -2,7 +2,6 @@
 
 #include "boundary/rigid_body.h"
 #include "grid/parallel.h"
-#include "results/frames.h"
 
 namespace abut {
 
@@ -149,14 +148,11 @@ std::vector<std::string> pair_columns() {
 
 template <int D>
 std::vector<PairRow> pair_rows(State<D>& state, double interval) {
-    std::map<std::pair<std::int32_t, std::int32_t>, double> areas;
-    if (!state.pair_totals.empty()) areas = contact_areas(state);
     std::vector<PairRow> rows;
     for (auto& [bodies, totals] : state.pair_totals) {
         PairRow row{bodies.first, bodies.second, {}};
         for (const double impulse : totals.impulse) row.values.push_back(interval > 0 ? impulse / interval : 0);
-        row.values.insert(row.values.end(),
-                          {areas[bodies], totals.work, totals.friction_work, totals.interface_energy});
+        row.values.insert(row.values.end(), {totals.area, totals.work, totals.friction_work, totals.interface_energy});
         rows.push_back(std::move(row));
     }
     state.pair_totals.clear();

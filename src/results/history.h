@@ -60,7 +60,8 @@ struct PairRow {
 /// energy that their interface holds [J].
 std::vector<std::string> pair_columns();
 
-/// The rows of pairs.csv: all pairs that have been in contact since the last call; it starts the next interval.
+/// The rows of pairs.csv: all pairs that have been in contact since the last call; it starts the next interval. Areas
+/// are known if State::wants_areas was set for the last step, or the scene's laws need them.
 template <int D>
 std::vector<PairRow> pair_rows(State<D>& state, double interval);
 

@@ -94,6 +94,16 @@ std::vector<std::string> body_names(const Scene& scene) {
     return names;
 }
 
+std::vector<std::string> rigid_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const BodySpec& body : scene.bodies)
+        if (body.rigid) names.push_back(body.name);
+    for (const ImageSpec& image : scene.images)
+        for (const LegendEntry& colour : image.legend)
+            if (colour.rigid) names.push_back(colour.body);
+    return names;
+}
+
 void check_pair_laws(const Scene& scene, Problems& problems) {
     if (!scene.contact) return;
     const std::vector<std::string> known = body_names(scene);
@@ -115,15 +125,19 @@ void check_pair_laws(const Scene& scene, Problems& problems) {
     }
 }
 
-void check_tractions(const Scene& scene, Problems& problems) {
+void check_boundary_names(const Scene& scene, Problems& problems) {
     const std::vector<std::string> known = body_names(scene);
     if (is_one_of("", known)) return;
+    const std::vector<std::string> rigid = rigid_names(scene);
     for (std::size_t i = 0; i < scene.boundaries.size(); ++i) {
         const auto* traction = std::get_if<TractionSpec>(&scene.boundaries[i].condition);
-        for (const BodySpec& body : scene.bodies)
-            if (traction && body.rigid && body.name == traction->body)
-                problems.push_back(
-                    {entry("/boundaries", i) + "/traction/body", "\"" + body.name + "\" is rigid: no force moves it"});
+        if (traction && is_one_of(traction->body, rigid))
+            problems.push_back(
+                {entry("/boundaries", i) + "/traction/body", "\"" + traction->body + "\" is rigid: no force moves it"});
+        if (is_one_of(scene.boundaries[i].name, rigid))
+            problems.push_back({entry("/boundaries", i) + "/name",
+                                "\"" + scene.boundaries[i].name +
+                                    "\" is already the name of a rigid body, whose force is in history.csv too"});
         if (traction && !traction->body.empty() && !is_one_of(traction->body, known))
             problems.push_back({entry("/boundaries", i) + "/traction/body", unknown("body", traction->body, known)});
     }
@@ -139,7 +153,7 @@ std::vector<Problem> validate_names(const Scene& scene) {
     check_legends(scene, problems);
     check_pair_laws(scene, problems);
     check_unique(scene.boundaries, "/boundaries", problems);
-    check_tractions(scene, problems);
+    check_boundary_names(scene, problems);
     return problems;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
-void check_law(const LawSpec& law, const std::string& pointer, Problems& problems) {
+void check_law(const LawSpec& law, SeparationMethod separation, const std::string& pointer, Problems& problems) {
     const auto demand_not_negative = [&](double value, const char* key) {
         demand(value >= 0, pointer + "/" + key, "must not be negative", problems);
     };
@@ -16,7 +16,13 @@ void check_law(const LawSpec& law, const std::string& pointer, Problems& problem
     demand_not_negative(law.static_coefficient.value_or(0), "static_coefficient");
     demand_not_negative(law.decay_velocity, "decay_velocity");
     demand_not_negative(law.viscosity, "viscosity");
-    demand_not_negative(law.contact_stiffness.value_or(0), "contact_stiffness");
+    demand(!law.contact_stiffness || *law.contact_stiffness > 0, pointer + "/contact_stiffness",
+           "must be greater than 0 Pa/m", problems);
+    demand(!law.contact_stiffness || separation == SeparationMethod::particle_edges ||
+               separation == SeparationMethod::fitted_position,
+           pointer + "/contact_stiffness",
+           "needs to know by how much bodies overlap: use the separation \"particle-edges\"", problems);
+    demand(law.reach >= 0, pointer + "/reach", "must not be negative", problems);
     demand_not_negative(law.tension_stiffness,
                         law.type == LawType::linear_interface ? "normal_stiffness" : "tension_stiffness");
     demand_not_negative(law.compression_stiffness.value_or(0), "compression_stiffness");
@@ -76,9 +82,9 @@ void validate_contact(const Scene& scene, Problems& problems) {
            "must not be zero: it is the direction of the contact normal", problems);
     demand(contact.fit == PositionFit::power_law || contact.exponent == ContactSpec{}.exponent, "/contact/exponent",
            R"(only goes with "fit": "power-law")", problems);
-    check_law(contact.law, "/contact/law", problems);
+    check_law(contact.law, contact.separation, "/contact/law", problems);
     for (std::size_t i = 0; i < contact.laws.size(); ++i)
-        check_law(contact.laws[i].law, "/contact/laws/" + std::to_string(i) + "/law", problems);
+        check_law(contact.laws[i].law, contact.separation, "/contact/laws/" + std::to_string(i) + "/law", problems);
 }
 
 } // namespace abut

@@ -33,13 +33,19 @@ void check_time_step(const State<D>& state, Problems& problems) {
     }
 }
 
+bool moves(const RigidSpec& rigid) {
+    return !rigid.angular_velocity.is_zero() || !std::all_of(rigid.velocity.begin(), rigid.velocity.end(),
+                                                             [](const TimeFunction& v) { return v.is_zero(); });
+}
+
 /// Whether anything in the scene but the wall itself could bring material to a wall that doesn't reach any.
 template <int D>
 bool anything_moves(const State<D>& state, std::int32_t wall_number) {
     const auto is_still = [](const InitialVelocity& v) { return v == InitialVelocity{{}, {}, v.center}; };
     if (state.effects.gravity || state.effects.tractions) return true;
-    if (!std::all_of(state.bodies.begin(), state.bodies.end(),
-                     [&](const ModelBody& body) { return is_still(body.velocity) && !body.rigid; }))
+    if (!std::all_of(state.bodies.begin(), state.bodies.end(), [&](const ModelBody& body) {
+            return is_still(body.velocity) && !(body.rigid && moves(*body.rigid));
+        }))
         return true;
     return std::any_of(state.boundaries.begin(), state.boundaries.end(), [&](const Boundary& boundary) {
         if (&boundary == &state.boundaries[wall_number]) return false; // see approaches()
@@ -74,39 +80,43 @@ void check_wall(const State<D>& state, const WallSpec& wall, std::int32_t number
                             "moves material or wall towards the other"});
 }
 
-} // namespace
-
 /// Where a scene names a rigid body.
 std::string pointer_of(const Scene& scene, const std::string& rigid_body) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         if (scene.bodies[i].name == rigid_body) return "/bodies/" + std::to_string(i) + "/rigid";
-    return "/images";
+    for (std::size_t i = 0; i < scene.images.size(); ++i)
+        for (std::size_t k = 0; k < scene.images[i].legend.size(); ++k)
+            if (scene.images[i].legend[k].body == rigid_body)
+                return "/images/" + std::to_string(i) + "/legend/" + std::to_string(k) + "/rigid";
+    return "/bodies";
 }
 
 /// Rigid bodies that will leave the grid, as far as a hundred looks on the way show.
 template <int D>
 void check_rigid(const State<D>& state, Problems& problems) {
     constexpr int looks = 100;
-    std::vector<char> reported(state.bodies.size(), 0);
-    for (int i = 0; i <= looks; ++i) {
-        const double time = state.scene.time.end * i / looks;
-        for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-            if (!state.bodies[b].rigid || reported[b]) continue;
-            const RigidPose pose = rigid_pose(*state.bodies[b].rigid, time);
-            for (std::size_t p = 0; p < state.particles.size(); ++p) {
-                if (state.particles.body[p] != static_cast<std::int32_t>(b)) continue;
-                if (state.grid.contains(to_vec<D>(pose.position_of(to_array<D>(state.particles.position[p])))))
-                    continue;
-                std::ostringstream text;
-                text << "rigid body \"" << state.bodies[b].name << "\" moves out of the grid before t = " << time
-                     << " s";
-                problems.push_back({pointer_of(state.scene, state.bodies[b].name), text.str()});
-                reported[b] = 1;
-                break;
-            }
+    for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+        const auto& rigid = state.bodies[b].rigid;
+        if (!rigid || !moves(*rigid)) continue;
+        std::vector<Vector> places;
+        for (std::size_t p = 0; p < state.particles.size(); ++p)
+            if (state.particles.body[p] == static_cast<std::int32_t>(b))
+                places.push_back(to_array<D>(state.particles.position[p]));
+        for (int i = 0; i <= looks; ++i) {
+            const double time = state.scene.time.end * i / looks;
+            const RigidPose pose = rigid_pose(*rigid, time);
+            if (std::all_of(places.begin(), places.end(),
+                            [&](const Vector& x0) { return state.grid.contains(to_vec<D>(pose.position_of(x0))); }))
+                continue;
+            std::ostringstream text;
+            text << "rigid body \"" << state.bodies[b].name << "\" moves out of the grid before t = " << time << " s";
+            problems.push_back({pointer_of(state.scene, state.bodies[b].name), text.str()});
+            break;
         }
     }
 }
+
+} // namespace
 
 template <int D>
 std::vector<Problem> check_state(State<D>& state) {

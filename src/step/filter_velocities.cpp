@@ -48,7 +48,7 @@ void apply_mass_matrix_inverse(State<D>& state, const std::vector<Pack>& velocit
 #pragma omp parallel for schedule(static)
         for (std::ptrdiff_t slot = 0; slot < n; ++slot) {
             const Pack v = velocity[slot];
-            if (!(v[0] > 0)) continue;
+            if (!(v[0] > 0) || is_rigid(state, state.fields.field[slot])) continue;
             Pack u = v + filtered[slot] - round_trip[slot] / v[0];
             if (delta) u -= (*delta)[slot];
             filtered[slot] = u;

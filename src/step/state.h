@@ -46,6 +46,7 @@ struct PairTotals {
     double work = 0;             ///< of the contact forces on both [J]
     double friction_work = 0;    ///< the part of it along the interface [J]
     double interface_energy = 0; ///< stored at the end of the last step [J]
+    double area = 0;             ///< contact area in the last step [m^2], if areas were found
 };
 
 /// What contact has given to a rigid body since the last row of history.csv.
@@ -82,6 +83,7 @@ struct State {
     long step = 0;
     double largest_wave_speed = 0; ///< over all particles, of the present state [m/s]
     double since_transfer = 0;     ///< time since the last step with the scheme's transfer [s] (Effects::periodic)
+    bool wants_areas = false;      ///< the present step finds contact areas for a row of pairs.csv (Effects::pairs)
     bool transfers = true; ///< the present step uses the scheme's transfer, not FLIP between (Effects::periodic)
 
     const Material& material_of(int body) const { return materials[bodies[body].material]; }

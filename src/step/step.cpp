@@ -53,15 +53,18 @@ std::vector<Task<D>> step_tasks(const Scene& scene) {
     add(effects.contact, "find contact groups", "the scene has contact", find_groups<D>);
     add(effects.clouds, "gather point clouds",
         effects.regression ? "normals by regression" : "separations by particle-edges", gather_clouds<D>);
-    add(effects.contact_fields(), "extrapolate contact fields",
-        effects.gradients   ? "normals by volume gradients"
-        : effects.positions ? "separations by extrapolated positions"
-                            : "a contact law or a separation needs areas or displacements",
+    add(effects.contact_fields() || effects.pairs, "extrapolate contact fields",
+        effects.gradients          ? "normals by volume gradients"
+        : effects.positions        ? "separations by extrapolated positions"
+        : effects.contact_fields() ? "a contact law or a separation needs areas or displacements"
+                                   : "areas for pairs.csv, in steps before a row",
         extrapolate_contact_fields<D>);
     add(effects.planes, "find normals", "an interface is not perfect", find_normals<D>);
     add(effects.planes, "find separations", "an interface is not perfect", find_separations<D>);
-    add(effects.areas, "find contact areas",
-        effects.interfaces ? "an interface law needs areas and displacements" : "a contact law needs areas",
+    add(effects.areas || effects.pairs, "find contact areas",
+        effects.interfaces ? "an interface law needs areas and displacements"
+        : effects.areas    ? "a contact law needs areas"
+                           : "areas for pairs.csv, in steps before a row",
         find_areas_and_displacements<D>);
     add(effects.contact && scene.contact->corrections == 2, "first contact pass",
         "extrapolated velocities must obey contact", first_contact_pass<D>);

@@ -273,6 +273,35 @@ TEST(Interfaces, CohesionIsTheDerivativeOfItsEnergyAndFollowsTheMotion) {
     EXPECT_GT(std::log2(error[0] / error[1]), 1.7);
 }
 
+/// A node pair on a cohesive interface with springs in compression bounces for ever with the same energy.
+TEST(Interfaces, CohesiveBodiesBounce) {
+    LawSpec spec;
+    spec.type = LawType::cohesive_interface;
+    spec.strength = spec.shear_strength = 20;
+    spec.opening = spec.sliding = 2e-3;
+    spec.compression_stiffness = stiffness(0.1);
+    double x = 1e-3, momentum = 0;
+    const auto energy = [&] {
+        const double stored = x > 0 ? area * Cohesion{20, 2e-3}.energy(x) : 0.5 * area * stiffness(0.1) * x * x;
+        return stored + 0.5 * momentum * momentum / mass;
+    };
+    const double before = energy();
+    double deepest = 0, lowest = 1e300, highest = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const double after = momentum - step_of(spec, node({0, x}, {0, momentum}, {0, 0})).impulse[1];
+        x += 0.5 * dt * (momentum + after) / mass;
+        momentum = after;
+        deepest = std::min(deepest, x);
+        lowest = std::min(lowest, energy());
+        highest = std::max(highest, energy());
+    }
+    std::printf("[ figures  ] cohesive bodies bounce 2000 steps: energy between %.4f and %.4f of that at the start\n",
+                lowest / before, highest / before);
+    EXPECT_LT(deepest, -1e-5);
+    EXPECT_GT(lowest, 0.9 * before);
+    EXPECT_LT(highest, 1.02 * before);
+}
+
 TEST(Interfaces, SteepCohesionSticksAndSteepSofteningDebonds) {
     LawSpec spec;
     spec.type = LawType::cohesive_interface;

@@ -154,9 +154,9 @@ TEST(SceneMeaning, InterfacesTooStiffForTheStepAreAdvisedAgainst) {
         return advice(load(scene.dump()).scene);
     };
     EXPECT_THAT(advice_for("1 GPa/mm"), testing::IsEmpty());
-    // κ Δt < π/2 with m = ρ Δx/2 per area: D < (π/2)² ρ Δx/(2 Δt²), Δt = 0.4 Δx/c with the faster material's c.
+    // κ Δt < π/2 with m = ρ Δx/4 per area: D < (π/2)² ρ Δx/(4 Δt²), Δt = 0.4 Δx/c with the faster material's c.
     const double c = std::sqrt((133.333e9 + 4.0 / 3 * 80e9) / 7800), step = 0.4 * 14.3e-6 / std::max(c, 6430.0);
-    const double limit = std::pow(M_PI / 2, 2) * 2780 * 14.3e-6 / (2 * step * step);
+    const double limit = std::pow(M_PI / 2, 2) * 2780 * 14.3e-6 / (4 * step * step);
     EXPECT_THAT(advice_for(fmt::format("{} Pa/m", 0.9 * limit).c_str()), testing::IsEmpty());
     EXPECT_THAT(advice_for(fmt::format("{} Pa/m", 1.1 * limit).c_str()),
                 testing::ElementsAre(IsProblem("/contact/law", "the bodies will stick as if bonded")));

@@ -6,6 +6,9 @@ namespace abut {
 /// Bodies that touch hold together like one up to a strength. In tension the traction may reach (T/T_s)² + (S/S_s)² =
 /// 1; under pressure, where friction helps, S <= S_s + µ N. Beyond that they slide or part by Coulomb's law in this
 /// step. The bond has no memory: bodies that come to rest on one another hold again.
+/// In the first pass Δp(0) is the difference of two extrapolations and knows nothing of the time step; it is weighed
+/// over the time in which a wave crosses a cell, so that it counts as the stress ρ c Δv of bodies that are torn apart,
+/// whatever the step.
 struct Adhesion {
     double strength = 0;       ///< T_s [Pa]
     double shear_strength = 0; ///< S_s [Pa]
@@ -25,7 +28,7 @@ struct Adhesion {
 template <int D>
 Vec<D> law_impulse(const Adhesion& law, const Meeting<D>& at) {
     if (!(at.separation < law.reach * at.cell)) return Vec<D>::Zero();
-    const double area_step = at.area * at.dt;
+    const double area_step = at.area * (at.second_pass ? at.dt : std::max(at.dt, at.crossing));
     const double tangential = at.tangential().norm();
     if (area_step > 0 && law.holds(-at.compression() / area_step, tangential / area_step)) return at.stick;
     return law_impulse(law.friction, at);

@@ -32,7 +32,7 @@ Stiffness stiffness_at(const Component& component, const Meeting<D>& at, double 
 
 /// The first-order method of the notes (5.57-5.59): the mean of the traction at δ(0) and that at the mean displacement
 /// <δ> = δ(0) − F(δ(0)) A Δt²/6m + d Δt/2m + f Δt²/6m. The solver doesn't use it: on a linear spring its steps have the
-/// determinant 1 + φ²/4, it makes energy (see oscillator.h). \return f_INT Δt [N s]
+/// determinant 1 + φ²/4 − ..., it makes energy (see oscillator.h). \return f_INT Δt [N s]
 template <int D, class Component>
 double first_order_impulse(const Component& component, const Meeting<D>& at, double start, double velocity,
                            double acceleration) {
@@ -73,21 +73,23 @@ std::pair<double, double> conserving_step(const Component& component, const Meet
     return {impulse(end), end};
 }
 
-/// One component of a step, as far as the step can carry the interface's slope.
-/// \param updated m δ'(0) + f Δt: what would stop the bodies \param state what they do
+/// One component of a step, as far as the step can carry the interface's slope at δ(0), by which both passes decide
+/// alike. \param updated m δ'(0) + f Δt: what would stop the bodies \return impulse [N s] and δ at the end of the step,
+/// 0 where the bodies stick
 template <int D, class Component>
 std::pair<double, double> cohesive_step(const Component& component, const Meeting<D>& at, double start, double velocity,
-                                        double updated, Stiffness& state) {
+                                        double updated) {
     const double acceleration = (updated / at.mass - velocity) / at.dt;
-    const double end_if_free = start + at.dt * (velocity + 0.5 * acceleration * at.dt);
-    state = stiffness_at(component, at, start);
-    if (state == Stiffness::carried) {
-        const auto step = conserving_step(component, at, start, velocity, acceleration);
-        state = stiffness_at(component, at, step.second);
-        if (state == Stiffness::carried) return step;
+    switch (stiffness_at(component, at, start)) {
+    case Stiffness::sticks:
+        return {updated, 0};
+    case Stiffness::carried:
+        if (at.second_pass) return conserving_step(component, at, start, velocity, acceleration);
+        break;
+    case Stiffness::debonds:
+        break;
     }
-    if (state == Stiffness::sticks) return {updated, start + 0.5 * velocity * at.dt};
-    return {0, end_if_free};
+    return {0, start + at.dt * (velocity + 0.5 * acceleration * at.dt)};
 }
 
 /// A cohesive interface: cohesions across and along it, springs or no penetration in compression.
@@ -101,40 +103,33 @@ struct CohesiveInterface {
 template <int D>
 InterfaceStep<D> interface_step(const CohesiveInterface& law, const Meeting<D>& at) {
     InterfaceStep<D> step;
-    step.impulse.setZero();
-    const double dt = at.dt;
-    Stiffness state{};
-
     const double opening = at.discontinuity.dot(at.normal);
     const double updated = at.stick.dot(at.normal);
-    const double u = at.start.dot(at.normal) / at.mass;
-    const bool opens = opening > 0 || updated > 0;
-    if (!opens) {
-        const auto [impulse, end] = normal_step(at, 0, law.compression, opening);
-        step.impulse += impulse * at.normal;
-        if (!std::isinf(law.compression)) step.energy += 0.5 * at.area * law.compression * end * end;
-    } else {
-        auto [impulse, end] = cohesive_step(law.normal, at, std::max(opening, 0.0), u, updated, state);
-        if (!at.second_pass) impulse = state == Stiffness::sticks ? updated : 0;
+    const bool presses = std::isinf(frequency(at, law.compression)); // instead of springing
+    if (opening > 0 || (updated > 0 && (opening == 0 || presses))) {
+        auto [impulse, end] =
+            cohesive_step(law.normal, at, std::max(opening, 0.0), at.start.dot(at.normal) / at.mass, updated);
         // Bodies that meet within the step don't pass each other.
-        if (at.second_pass && end < 0) impulse = std::isinf(law.compression) ? updated : impulse;
-        step.impulse += impulse * at.normal;
-        step.energy += at.area * law.normal.energy(std::max(end, 0.0));
+        if (end < 0 && presses && at.second_pass) impulse = updated;
+        step.impulse = impulse * at.normal;
+        step.energy = at.area * law.normal.energy(std::max(end, 0.0));
+    } else {
+        const auto [impulse, end] = normal_step(at, 0, law.compression, opening);
+        step.impulse = impulse * at.normal;
+        if (end < 0 && !presses) step.energy = 0.5 * at.area * law.compression * end * end;
     }
 
     // Along the way that the sliding displacement takes; in 3D what is across that way is free in this step.
     const Vec<D> along = at.tangential();
     const Vec<D> sliding = at.discontinuity - opening * at.normal;
-    Vec<D> way = sliding + along * (dt / at.mass);
+    Vec<D> way = sliding + along * (at.dt / at.mass);
     const double length = way.norm();
     if (length == 0) return step;
     way /= length;
-    const double v = at.start.dot(way) / at.mass;
-    auto [impulse, end] = cohesive_step(law.tangential, at, sliding.dot(way), v, along.dot(way), state);
-    if (state == Stiffness::sticks)
-        step.impulse += along;
-    else if (at.second_pass)
-        step.impulse += impulse * way;
+    const auto [impulse, end] =
+        cohesive_step(law.tangential, at, sliding.dot(way), at.start.dot(way) / at.mass, along.dot(way));
+    const bool sticks = stiffness_at(law.tangential, at, sliding.dot(way)) == Stiffness::sticks;
+    step.impulse += sticks ? along : Vec<D>(impulse * way);
     step.energy += at.area * law.tangential.energy(end);
     return step;
 }

@@ -82,10 +82,10 @@ inline bool is_interface(const ContactLaw& law) {
 inline bool is_perfect(const ContactLaw& law) {
     return std::holds_alternative<Perfect>(law);
 }
-/// Whether bodies in contact are only pushed apart, and slide.
+/// Whether bodies in contact are only stopped, and slide.
 inline bool only_slides(const ContactLaw& law) {
-    return !is_interface(law) && !is_perfect(law) && !std::holds_alternative<Stick>(law) &&
-           !std::holds_alternative<Adhesion>(law);
+    return std::holds_alternative<Frictionless>(law) || std::holds_alternative<Friction>(law) ||
+           std::holds_alternative<ViscousFriction>(law);
 }
 inline bool needs_area(const LawSpec& spec) {
     return with_contact_law(make_contact_law(spec), [](const auto& law) { return law.needs_area; });

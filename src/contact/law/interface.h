@@ -38,25 +38,23 @@ struct InterfaceStep {
     double energy = 0; ///< stored at the end of the step [J]
 };
 
-/// The normal component of a step with springs and perfect contact: J_n and δ_n(Δt).
-/// \param start δ_n(0)
+/// The normal component of a step with springs and perfect contact: J_n and δ_n(Δt), 0 where the bodies stick: springs
+/// that don't act hold no energy (notes 5.3.2, item 5). \param start δ_n(0)
 template <int D>
 std::pair<double, double> normal_step(const Meeting<D>& at, double tension, double compression, double start) {
     const double updated = at.stick.dot(at.normal);
     const Springs springs{frequency(at, tension), frequency(at, compression)};
     const bool presses = std::isinf(springs.compression); // instead of springing
     const bool opens = start > 0 || (updated > 0 && (start == 0 || presses));
-    if (std::isinf(opens ? springs.tension : springs.compression)) return {updated, start};
+    if (std::isinf(opens ? springs.tension : springs.compression)) return {updated, 0};
     // Forces belong to the second pass, while what sticks must stick in both (5.3.2, item 4).
     if (!at.second_pass) return {0, start};
     const double velocity = at.start.dot(at.normal) / at.mass;
     const double acceleration = (updated / at.mass - velocity) / at.dt;
-    const Oscillation from{presses ? std::max(start, 0.0) : start, velocity};
-    const Swing swung = swing(from, springs, acceleration, at.dt);
-    if (!swung.same_spring) return {integrated_impulse(swung.end, at.mass, updated), swung.end.displacement};
-    const double phi = (opens ? springs.tension : springs.compression) * at.dt;
+    const Swing swung = swing({start, velocity}, springs, acceleration, at.dt);
+    if (swung.kappa < 0) return {integrated_impulse(swung.end, at.mass, updated), swung.end.displacement};
     const double d = at.start.dot(at.normal);
-    return {spring_impulse(phi, from.displacement, d, updated - d, at.mass, at.dt), swung.end.displacement};
+    return {spring_impulse(swung.kappa * at.dt, start, d, updated - d, at.mass, at.dt), swung.end.displacement};
 }
 
 template <int D>
@@ -68,7 +66,7 @@ InterfaceStep<D> interface_step(const LinearInterface& law, const Meeting<D>& at
     // The springs along the interface are the same in all its directions, so that vectors obey the scalar solution.
     const Vec<D> updated = at.tangential();
     const Vec<D> sliding = at.discontinuity - opening * at.normal;
-    Vec<D> sliding_at_end = sliding;
+    Vec<D> sliding_at_end = Vec<D>::Zero();
     const double kappa = frequency(at, law.tangential);
     if (std::isinf(kappa)) {
         step.impulse += updated;
@@ -81,8 +79,8 @@ InterfaceStep<D> interface_step(const LinearInterface& law, const Meeting<D>& at
         sliding_at_end =
             std::cos(phi) * sliding + at.dt / at.mass * (sine_ratio(phi) * start + versine_ratio(phi) * gained);
     }
-    step.energy = law.energy(at.area, std::isinf(law.compression) ? std::max(opening_at_end, 0.0) : opening_at_end,
-                             sliding_at_end.norm());
+    const bool presses = std::isinf(frequency(at, law.compression));
+    step.energy = law.energy(at.area, presses ? std::max(opening_at_end, 0.0) : opening_at_end, sliding_at_end.norm());
     return step;
 }
 
@@ -98,6 +96,7 @@ struct Softened {
 template <int D, class SlideLaw>
 Vec<D> law_impulse(const Softened<SlideLaw>& softened, const Meeting<D>& at) {
     if (std::isinf(frequency(at, softened.stiffness))) return law_impulse(softened.law, at);
+    if (!std::isfinite(at.separation_at_start)) return Vec<D>::Zero(); // no plane was found
     if (!at.second_pass) return Vec<D>::Zero();
     const double pressing = -normal_step(at, 0, softened.stiffness, at.separation_at_start).first;
     return pressing > 0 ? slide_under(softened.law, at, pressing) : Vec<D>::Zero();

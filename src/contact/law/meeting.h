@@ -13,6 +13,7 @@ struct Meeting {
     double dt = 0;            ///< [s]
     double separation = 0;    ///< of their edges at the time of the pass, < 0 in overlap [m]
     double cell = 0;          ///< cell size [m]
+    double crossing = 0;      ///< time in which waves cross a cell [s]
     bool second_pass = false; ///< after the momentum update
 
     // === Only for laws that say so

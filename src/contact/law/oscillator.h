@@ -12,9 +12,12 @@
 ///   J = (1 − cos φ) (2 (m/Δt) δ(0) + d) + f Δt (1 − 2 (1 − cos φ)/φ²)
 /// differs in the coefficient of d alone, by φ²/6. Its steps have the determinant 1 and the trace 2 cos φ: δ after n
 /// steps is a sine of the exact frequency for ever, and what is pulled by a constant f swings about f/D. The solver
-/// takes this where one spring acts all through a step. Where springs change within it, it takes the integral of their
-/// force, J = ∫ F dt, of the exact motion, whose determinant cos φ + φ sin φ/2 = 1 − φ⁴/24 + ... is on the safe side.
+/// takes this where one spring acts all through a step. (Where particles move by other rules than the mean of their
+/// velocities at start and end, as with PIC and XPIC, the transfer damps the swinging as it damps any motion.) Where
+/// springs change within it, it takes the integral of their force, J = ∫ F dt, of the exact motion, whose determinant
+/// cos φ + φ sin φ/2 = 1 − φ⁴/24 + ... is on the safe side.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -77,34 +80,34 @@ inline double crossing_time(Oscillation from, double kappa, double acceleration,
     return high;
 }
 
-/// What a step with springs ends with, and whether one of them acted all through it.
+/// How a step with springs ends, and the frequency of the spring that acted all through it; negative if springs
+/// changed.
 struct Swing {
     Oscillation end;
-    bool same_spring = false;
+    double kappa = -1;
 };
 
 /// The motion with bilinear springs over a step (notes 5.5, 5.6): springs change where δ crosses zero. Where
 /// compression is perfect, bodies that meet stay together for the rest of the step, as (5.141) has it, unless pulled
-/// apart.
+/// apart; bodies that overlap are free to part.
 inline Swing swing(Oscillation at, const Springs& springs, double acceleration, double dt) {
     double left = dt;
     for (int pieces = 0; pieces < 8 && left > 0; ++pieces) {
         const double side = at.displacement != 0 ? at.displacement : at.velocity != 0 ? at.velocity : acceleration;
-        const bool apart = side > 0;
-        if (!apart && std::isinf(springs.compression)) {
-            if (side == 0 || acceleration <= 0) return {{0, 0}};
-            at = {0, 0}; // pressed before, pulled now
-            return {swing(at, springs.tension, acceleration, left)};
+        double kappa = side > 0 ? springs.tension : springs.compression;
+        if (side <= 0 && std::isinf(kappa)) {
+            at.velocity = std::max(at.velocity, 0.0);
+            if (at.velocity == 0 && acceleration <= 0) return {at};
+            kappa = at.displacement < 0 ? 0 : springs.tension;
         }
-        const double kappa = apart ? springs.tension : springs.compression;
-        if (std::isinf(kappa)) return {{0, 0}}; // too stiff to open in this step
+        if (std::isinf(kappa)) return {{at.displacement, 0}}; // too stiff to open in this step
         const double t = crossing_time(at, kappa, acceleration, left);
         at = swing(at, kappa, acceleration, t);
         left -= t;
-        if (left > 0) at.displacement = 0;
-        if (left <= 0 && pieces == 0) return {at, true};
+        if (left <= 0) return {at, pieces == 0 ? kappa : -1};
+        at.displacement = 0;
     }
-    return {at};
+    return {{0, 0}}; // it rattles: together
 }
 
 /// J of one spring over a step; see above. \param force_step f Δt

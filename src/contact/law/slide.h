@@ -6,6 +6,10 @@
 ///   static constexpr bool needs_area;              whether N and S are tractions [Pa]; else contact areas are not
 ///                                                  known, A_c Δt counts as 1, and both are impulses: good for laws
 ///                                                  that are proportional to N
+/// and, if S is more than proportional to N,
+///   auto in_first_pass() const;                    the law without that part. What a film carries is a force of the
+///   step:
+///                                                  it belongs to the second pass alone, or it would act twice.
 
 #include "contact/law/meeting.h"
 
@@ -15,8 +19,8 @@
 namespace abut {
 
 /// The sliding speed k in [0, stick/mass] at which S_slide(N, k) A_c Δt = stick − mass k (Eq. 9), 0 if the bodies
-/// stick. Found by bisection with secant steps, so that S may fall with k. Where S falls faster than stick − mass k
-/// there may be several solutions; it is one of them, the same for the same numbers. \param stick tangential impulse
+/// stick. Found by steps of fixed slope in a bracket, so that S may fall with k. Where S falls faster than stick − mass
+/// k there may be several solutions; it is one of them, the same for the same numbers. \param stick tangential impulse
 /// that would stop the sliding [N s]; \param area_step A_c Δt
 template <class Law>
 double sliding_speed(const Law& law, double pressure, double stick, double mass, double area_step) {
@@ -43,13 +47,14 @@ double sliding_speed(const Law& law, double pressure, double stick, double mass,
 /// \param pressing N_c A_c Δt >= 0 [N s]; the normal part of Δp' is −pressing n
 template <int D, class Law>
 Vec<D> slide_under(const Law& law, const Meeting<D>& at, double pressing) {
+    if constexpr (requires { law.in_first_pass(); })
+        if (!at.second_pass || !(at.area > 0)) return slide_under(law.in_first_pass(), at, pressing);
     const Vec<D> along = at.tangential();
     const double stick = along.norm();
     Vec<D> impulse = -pressing * at.normal;
     if (stick == 0) return impulse;
     const double area_step = Law::needs_area ? at.area * at.dt : 1;
-    const double pressure = area_step > 0 ? pressing / area_step : 0;
-    const double k = sliding_speed(law, pressure, stick, at.mass, area_step);
+    const double k = sliding_speed(law, pressing / area_step, stick, at.mass, area_step);
     impulse += (1 - at.mass * k / stick) * along;
     return impulse;
 }

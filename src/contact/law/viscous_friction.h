@@ -1,5 +1,5 @@
 #pragma once
-#include "contact/law/slide.h"
+#include "contact/law/friction.h"
 
 namespace abut {
 
@@ -10,6 +10,7 @@ struct ViscousFriction {
 
     static constexpr bool needs_area = true;
     double slide(double N, double k) const { return coefficient * N + viscosity * k; }
+    Friction in_first_pass() const { return {coefficient, coefficient, 0}; }
 };
 
 } // namespace abut
