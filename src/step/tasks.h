@@ -60,6 +60,10 @@ template <int D>
 void apply_mass_matrix_inverse(State<D>& state, const std::vector<Pack>& velocity, const std::vector<Pack>* delta,
                                std::vector<Pack>& filtered);
 
+/// Makes pairs in contact approach after the full mass matrix as they do before it: as their law wants (FMPM).
+template <int D>
+void keep_normal_jumps(const State<D>& state, const std::vector<Pack>& lumped, std::vector<Pack>& filtered);
+
 /// XPIC: filters the velocities at the start of the step. FMPM: v^α+ through the full mass matrix, with velocity
 /// conditions by the scene's method (FMPM paper §2.4).
 template <int D>

@@ -4,6 +4,8 @@
 #include "scene/suggest.h"
 #include "scene/validate.h"
 
+#include <fmt/format.h>
+
 namespace abut::scene_test {
 namespace {
 

@@ -181,7 +181,7 @@ TEST(ReadScene, DefaultsAreThoseOfSceneH) {
     expected.grid = {{0.1, 0.2, 0}, {0, 0, 0}, {1, 1, 0}};
     expected.time.end = 1;
     expected.materials = {{"m", MaterialModel::neo_hookean, 1, 1, 1}};
-    expected.bodies = {{"b", "m", Box{{0, 0, 0}, {1, 1, 0}}, {}, 2}};
+    expected.bodies = {{"b", "m", {}, Box{{0, 0, 0}, {1, 1, 0}}, {}, 2}};
     EXPECT_EQ(describe(scene), describe(expected));
 
     const Scene with_contact = load(smallest, {"/contact={}"}).scene;
