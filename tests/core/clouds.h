@@ -24,12 +24,12 @@ inline constexpr std::array regressions{Method<D>{"logistic", logistic_regressio
 template <int D>
 Vec<D> place(const Cloud<D>& cloud, int p) {
     Vec<D> x;
-    for (int a = 0; a < D; ++a) x[a] = cloud.x[a][p / 4][p % 4];
+    for (int a = 0; a < D; ++a) x[a] = cloud.x[a][p];
     return x;
 }
 template <int D>
 double class_of(const Cloud<D>& cloud, int p) {
-    return cloud.c[p / 4][p % 4];
+    return cloud.c[p];
 }
 
 template <int D>
@@ -134,7 +134,7 @@ Regression<D> scalar_twin(const Cloud<D>& cloud, PlainTerms (*terms)(double, dou
         phi += A.ldlt().solve(b);
         const Vec<D> previous = result.normal;
         result.normal = phi.template head<D>().normalized();
-        if (result.iterations++ > 0 && 1 - result.normal.dot(previous) < 1e-5) break;
+        if (result.iterations++ > 1 && 1 - result.normal.dot(previous) < 1e-5) break;
     }
     result.found = true;
     return result;

@@ -36,8 +36,8 @@ double gap_along(const Cloud<2>& cloud, const Vec<2>& n) {
     double below = -1e9;
     double above = 1e9;
     for (int p = 0; p < cloud.size; ++p) {
-        const double x = Vec<2>(cloud.x[0][p / 4][p % 4], cloud.x[1][p / 4][p % 4]).dot(n);
-        if (cloud.c[p / 4][p % 4] < 0)
+        const double x = place(cloud, p).dot(n);
+        if (class_of(cloud, p) < 0)
             below = std::max(below, x);
         else
             above = std::min(above, x);

@@ -9,7 +9,7 @@ namespace {
 /// The Newton step of the likelihood, H = Σ φ x xᵀ + Λ and −∇Ω = Σ (m − f) x − Λφ (notes 3.37-3.42), in the scaled
 /// logistic function of classes c = 2m − 1: the notes' f is (1 + f)/2, so m − f is (c − f)/2, and f (1 − f) is ψ/2.
 struct IrlsTerms {
-    static Terms at(Pack z, Pack c) {
+    static Terms at(Wide z, Wide c) {
         const Logistic s = logistic(z);
         return {0.5 * s.psi, 0.5 * (c - s.f)};
     }

@@ -9,7 +9,7 @@ namespace {
 /// Least squares with the scaled logistic function f = 2/(1 + e^−z) − 1 = tanh(z/2), z = x·φ (contact paper Eq. 20), of
 /// derivative ψ = (1 − f²)/2 (Eq. 53): JᵀWJ = Σ w ψ² x xᵀ (Eq. 54), JᵀW (c − f) = Σ w ψ (c − f) x (Eq. 56).
 struct LogisticTerms {
-    static Terms at(Pack z, Pack c) {
+    static Terms at(Wide z, Wide c) {
         const Logistic s = logistic(z);
         return {s.psi * s.psi, s.psi * (c - s.f)};
     }

@@ -15,67 +15,75 @@ inline constexpr double regression_penalty = 1e-7;   // λ of the normal's compo
 inline constexpr double regression_tolerance = 1e-5; // ε of 1 − n·n'
 inline constexpr int most_iterations = 15;
 
-inline Pack all(double value) {
-    return Pack{value, value, value, value};
+inline Wide all(double value) {
+    return Wide{} + value;
 }
 
-inline double sum(const Pack& p) {
-    return (p[0] + p[1]) + (p[2] + p[3]);
+inline double sum(const Wide& w) {
+    return (w[0] + w[1]) + (w[2] + w[3]);
 }
 
-/// e^x for x in [-700, 0], four at a time, relative error below 1e-13: x = k ln 2 + r, Taylor series of e^r, 2^k by the
-/// exponent bits.
-inline Pack exponential(Pack x) {
+/// e^x for x in [-700, 0], four at a time, relative error below 1e-13: x = k ln 2 + r, Taylor series of e^r, 2^k by
+/// the exponent bits.
+inline Wide exponential(Wide x) {
     using Bits = std::int64_t __attribute__((vector_size(32)));
-    const Pack shifter = all(0x1.8p52); // rounds to integer and leaves it in the low bits
-    const Pack shifted = x * 1.4426950408889634 + shifter;
-    const Pack k = shifted - shifter;
-    const Pack r = (x - k * 0x1.62e42fefa39efp-1) - k * 0x1.abc9e3b39803fp-56;
-    Pack e = all(1.0 / 39916800);
+    const Wide shifter = all(0x1.8p52); // rounds to integer and leaves it in the low bits
+    const Wide shifted = x * 1.4426950408889634 + shifter;
+    const Wide k = shifted - shifter;
+    const Wide r = (x - k * 0x1.62e42fefa39efp-1) - k * 0x1.abc9e3b39803fp-56;
+    Wide e = all(1.0 / 39916800);
     for (const double c :
          {1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0})
         e = e * r + c;
     const Bits bits = std::bit_cast<Bits>(shifted) << 52;
     const Bits scaled = std::bit_cast<Bits>(e) + bits;
-    return std::bit_cast<Pack>(scaled);
+    return std::bit_cast<Wide>(scaled);
 }
 
 /// The scaled logistic function f = 2/(1 + e^−z) − 1 and its derivative ψ (contact paper Eq. 20, 53).
 struct Logistic {
-    Pack f, psi;
+    Wide f, psi;
 };
-inline Logistic logistic(Pack z) {
-    const Pack magnitude = z < 0 ? -z : z;
-    const Pack e = exponential(magnitude > 700 ? all(-700) : -magnitude);
-    const Pack t = (1 - e) / (1 + e);
-    return {z < 0 ? -t : t, 2 * e / ((1 + e) * (1 + e))};
+inline Logistic logistic(Wide z) {
+    const Wide magnitude = z < 0 ? -z : z;
+    const Wide e = exponential(magnitude > 700 ? all(-700) : -magnitude);
+    const Wide share = 1 / (1 + e);
+    const Wide t = (1 - e) * share;
+    return {z < 0 ? -t : t, 2 * e * share * share};
 }
 
 /// What a point adds to the step's matrix (times x xᵀ) and vector (times x).
 struct Terms {
-    Pack matrix, vector;
+    Wide matrix, vector;
 };
 
 /// The terms of the logistic regressions at φ = 0: linear regression with four times the penalty (notes 3.22, 3.44).
 struct LinearTerms {
-    static Terms at(Pack /*z*/, Pack c) { return {all(0.25), 0.5 * c}; }
+    static Terms at(Wide /*z*/, Wide c) { return {all(0.25), 0.5 * c}; }
 };
 
 /// Solves the symmetric positive system A x = b in place by L D L^T. \return false if a pivot vanishes
 template <int N>
-bool solve(double (&A)[N][N], double (&b)[N]) {
+[[gnu::always_inline]] inline bool solve(double (&A)[N][N], double (&b)[N]) {
+    double inverse[N];
     for (int j = 0; j < N; ++j) {
-        const double scale = A[j][j];
-        for (int k = 0; k < j; ++k) A[j][j] -= A[j][k] * A[j][k] * A[k][k];
-        if (!(A[j][j] > 1e-14 * scale)) return false;
+        double scaled[N];
+        double pivot = A[j][j];
+        for (int k = 0; k < j; ++k) {
+            scaled[k] = A[j][k] * A[k][k];
+            pivot -= A[j][k] * scaled[k];
+        }
+        if (!(pivot > 1e-14 * A[j][j])) return false;
+        A[j][j] = pivot;
+        inverse[j] = 1 / pivot;
         for (int i = j + 1; i < N; ++i) {
-            for (int k = 0; k < j; ++k) A[i][j] -= A[i][k] * A[j][k] * A[k][k];
-            A[i][j] /= A[j][j];
+            for (int k = 0; k < j; ++k) A[i][j] -= A[i][k] * scaled[k];
+            A[i][j] *= inverse[j];
         }
     }
     for (int i = 0; i < N; ++i)
         for (int k = 0; k < i; ++k) b[i] -= A[i][k] * b[k];
-    for (int i = 0; i < N; ++i) b[i] /= A[i][i];
+    for (int i = 0; i < N; ++i) b[i] *= inverse[i];
     for (int i = N - 1; i >= 0; --i)
         for (int k = i + 1; k < N; ++k) b[i] -= A[k][i] * b[k];
     return true;
@@ -91,22 +99,24 @@ bool solve(double (&A)[N][N], double (&b)[N]) {
 /// a normal along the interface from which the iteration doesn't recover. A particle's place is not known better than
 /// its size. \return false if φ is left as it was
 template <int D, class Function>
-bool iterate(const Cloud<D>& cloud, double (&phi)[D + 1]) {
+[[gnu::always_inline]] inline bool iterate(const Cloud<D>& cloud, double (&phi)[D + 1]) {
     constexpr int N = D + 1;
-    Pack matrix[N][N] = {};
-    Pack vector[N] = {};
-    for (std::size_t q = 0; q < cloud.c.size(); ++q) {
-        Pack x[N];
-        for (int a = 0; a < D; ++a) x[a] = cloud.x[a][q];
+    Wide matrix[N][N] = {};
+    Wide vector[N] = {};
+    for (int q = 0; q < cloud.blocks(); ++q) {
+        Wide x[N];
+        for (int a = 0; a < D; ++a) x[a] = cloud.block(cloud.x[a], q);
         x[D] = all(1);
-        Pack z = all(phi[D]);
+        Wide z = all(phi[D]);
         for (int a = 0; a < D; ++a) z += phi[a] * x[a];
-        const Terms terms = Function::at(z, cloud.c[q]);
-        const Pack residual = cloud.weight[q] * terms.vector;
-        const Pack weight = cloud.weight[q] * terms.matrix;
+        const Terms terms = Function::at(z, cloud.block(cloud.c, q));
+        const Wide w = cloud.block(cloud.weight, q);
+        const Wide residual = w * terms.vector;
+        const Wide weight = w * terms.matrix;
         for (int i = 0; i < N; ++i) {
             vector[i] += residual * x[i];
-            for (int j = 0; j <= i; ++j) matrix[i][j] += weight * x[i] * x[j];
+            const Wide weighted = weight * x[i];
+            for (int j = 0; j <= i; ++j) matrix[i][j] += weighted * x[j];
         }
     }
     double A[N][N];
@@ -146,7 +156,8 @@ bool first_iterate(const Cloud<D>& cloud, double (&phi)[D + 1], Regression<D>& r
     return true;
 }
 
-/// Linear regression, then steps of the function until the normal stands still.
+/// Linear regression, then steps of the function until the normal stands still; two at least: the first may leave a
+/// linear normal by chance that the next turns by 20 degrees (few points on one side).
 template <int D, class Function>
 Regression<D> regress(const Cloud<D>& cloud) {
     Regression<D> result;
@@ -157,7 +168,7 @@ Regression<D> regress(const Cloud<D>& cloud) {
         ++result.iterations;
         const Vec<D> previous = result.normal;
         result.normal = normal_of<D>(phi);
-        if (1 - result.normal.dot(previous) < regression_tolerance) break;
+        if (result.iterations > 2 && 1 - result.normal.dot(previous) < regression_tolerance) break;
     }
     result.found = result.normal.squaredNorm() > 0.5;
     return result;

@@ -21,6 +21,13 @@ double edge_distance(const Mat<D>& F, const Vec<D>& half_size, const Vec<D>& n) 
     return half_size.cwiseProduct(F.transpose() * n).norm();
 }
 
+/// The place on that ellipsoid that is farthest along n, x + F diag(R0)² Fᵀ n/R: the derivative of x·n + R by n.
+template <int D>
+Vec<D> edge_point(const Vec<D>& x, const Mat<D>& F, const Vec<D>& half_size, const Vec<D>& n) {
+    const Vec<D> arm = half_size.cwiseProduct(F.transpose() * n);
+    return x + F * half_size.cwiseProduct(arm) / arm.norm();
+}
+
 /// Eq. (25) as published.
 template <int D>
 double edge_distance_along_ray(const Mat<D>& F, const Vec<D>& half_size, const Vec<D>& n) {
