@@ -26,9 +26,9 @@ struct ContactPoint {
     bool rigid_a = false;            ///< body a moves as prescribed
     bool rigid_b = false;            ///< body b, or one of those lumped, does
     Vec<D> impulse = Vec<D>::Zero(); ///< on a in the second pass [N s]
-    /// On a in the first pass, where that moves particles: PIC takes velocities, not accelerations, from the grid [N
-    /// s].
-    Vec<D> first_impulse = Vec<D>::Zero();
+    /// On a besides, where particles get it too: that of the first pass with PIC, which takes velocities and not
+    /// accelerations from the grid, and what FMPM gives behind the full mass matrix [N s].
+    Vec<D> extra_impulse = Vec<D>::Zero();
 
     // === Only for laws that need them
     double area = 0;                       ///< contact area [m^2] (Effects::volumes)

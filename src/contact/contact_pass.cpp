@@ -252,7 +252,7 @@ void first_contact_pass(State<D>& state) {
     correct_all(state, {}, state.nodes.velocity, change);
     const bool moves_particles = state.effects.pic && state.transfers;
     if (!moves_particles) return;
-    for (ContactPoint<D>& point : state.contact.points) point.first_impulse = point.impulse;
+    for (ContactPoint<D>& point : state.contact.points) point.extra_impulse = point.impulse;
 }
 
 template <int D>

@@ -31,7 +31,7 @@ private:
         for (std::int32_t i = points.first; i < points.last; ++i) {
             const ContactPoint<D>& point = state_.contact.points[i];
             add_work(group, point);
-            if (!lumped) give(group, point.body_a, point.body_b, point.impulse + point.first_impulse);
+            if (!lumped) give(group, point.body_a, point.body_b, point.impulse + point.extra_impulse);
         }
         if (lumped) add_lumped(group, points);
     }
@@ -78,7 +78,7 @@ private:
         const std::int32_t n = points.last - points.first;
         const auto impulse = [&](std::int32_t i) {
             const ContactPoint<D>& point = state_.contact.points[points.first + i];
-            return Vec<D>(point.impulse + point.first_impulse);
+            return Vec<D>(point.impulse + point.extra_impulse);
         };
         const auto body = [&](std::int32_t i) { return state_.contact.points[points.first + i].body_a; };
         const std::int32_t rigid = group.rigid_slot >= 0 ? state_.fields.field[group.rigid_slot] : -1;

@@ -100,11 +100,14 @@ Vec<D> impact(const State<D>& state, const ContactPoint<D>& point) {
 /// Gives filtered velocities the jumps along the normals that the contact law has left between lumped ones. (Not the
 /// jumps along the interface: that was unstable with FMPM(8) and the law stick.)
 template <int D>
-void keep_normal_jumps(const State<D>& state, const std::vector<Pack>& lumped, std::vector<Pack>& filtered) {
-    for (const ContactPoint<D>& point : state.contact.points) {
+void keep_normal_jumps(State<D>& state, const std::vector<Pack>& lumped, std::vector<Pack>& filtered,
+                       bool moves_particles) {
+    for (ContactPoint<D>& point : state.contact.points) {
         if (!is_bound(state, point)) continue;
         const double excess = (jump(point, filtered) - jump(point, lumped)).dot(point.normal);
-        exchange<D>(point, reduced_mass(point, lumped) * excess * point.normal, lumped, filtered);
+        const Vec<D> impulse = reduced_mass(point, lumped) * excess * point.normal;
+        exchange<D>(point, impulse, lumped, filtered);
+        if (moves_particles) point.extra_impulse += impulse;
     }
 }
 
@@ -126,7 +129,7 @@ void filter_with_contact(State<D>& state, const std::vector<Pack>* delta) {
     apply_mass_matrix_inverse(state, without_impacts, delta, nodes.filtered);
     for (const ContactPoint<D>& point : state.contact.points)
         if (is_bound(state, point)) exchange<D>(point, impact(state, point), nodes.end_velocity, nodes.filtered);
-    keep_normal_jumps(state, nodes.end_velocity, nodes.filtered);
+    keep_normal_jumps(state, nodes.end_velocity, nodes.filtered, true);
 }
 
 /// Where three or more bodies are lumped there are no pairs whose jumps could be kept. There, the edges deform by the
@@ -169,8 +172,8 @@ template void apply_mass_matrix_inverse<2>(State<2>&, const std::vector<Pack>&, 
                                            std::vector<Pack>&);
 template void apply_mass_matrix_inverse<3>(State<3>&, const std::vector<Pack>&, const std::vector<Pack>*,
                                            std::vector<Pack>&);
-template void keep_normal_jumps<2>(const State<2>&, const std::vector<Pack>&, std::vector<Pack>&);
-template void keep_normal_jumps<3>(const State<3>&, const std::vector<Pack>&, std::vector<Pack>&);
+template void keep_normal_jumps<2>(State<2>&, const std::vector<Pack>&, std::vector<Pack>&, bool);
+template void keep_normal_jumps<3>(State<3>&, const std::vector<Pack>&, std::vector<Pack>&, bool);
 template void filter_velocities<2>(State<2>&);
 template void filter_velocities<3>(State<3>&);
 

@@ -61,8 +61,10 @@ void apply_mass_matrix_inverse(State<D>& state, const std::vector<Pack>& velocit
                                std::vector<Pack>& filtered);
 
 /// Makes pairs in contact approach after the full mass matrix as they do before it: as their law wants (FMPM).
+/// \param moves_particles whether what pairs exchange so belongs to the contact forces of the step
 template <int D>
-void keep_normal_jumps(const State<D>& state, const std::vector<Pack>& lumped, std::vector<Pack>& filtered);
+void keep_normal_jumps(State<D>& state, const std::vector<Pack>& lumped, std::vector<Pack>& filtered,
+                       bool moves_particles);
 
 /// XPIC: filters the velocities at the start of the step. FMPM: v^α+ through the full mass matrix, with velocity
 /// conditions by the scene's method (FMPM paper §2.4).

@@ -177,7 +177,7 @@ const std::vector<Pack>& deforming_velocity(State<D>& state, const std::vector<P
     if (!full_mass_matrix) return changed;
     std::vector<Pack> filtered;
     apply_mass_matrix_inverse(state, changed, delta, filtered);
-    keep_normal_jumps(state, changed, filtered);
+    keep_normal_jumps(state, changed, filtered, false);
     if (state.scene.method.velocity_conditions != VelocityConditions::lumped)
         impose_untracked(state.controls, filtered);
     changed.swap(filtered);

@@ -298,8 +298,8 @@ TEST(Interfaces, CohesiveBodiesBounce) {
     std::printf("[ figures  ] cohesive bodies bounce 2000 steps: energy between %.4f and %.4f of that at the start\n",
                 lowest / before, highest / before);
     EXPECT_LT(deepest, -1e-5);
-    EXPECT_GT(lowest, 0.9 * before);
-    EXPECT_LT(highest, 1.02 * before);
+    EXPECT_GT(lowest, (1 - 1e-9) * before);
+    EXPECT_LT(highest, (1 + 1e-9) * before);
 }
 
 TEST(Interfaces, SteepCohesionSticksAndSteepSofteningDebonds) {

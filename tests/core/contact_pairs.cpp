@@ -114,11 +114,11 @@ TEST(PairForces, RowsHoldMeanForceAreaAndWork) {
     add_box(model, add_body(model, "lower"), 1, 0.5, 3, 1.5, 16, 8);
     add_box(model, add_body(model, "upper"), 1, 1.5, 3, 3, 16, 12);
     State<2> state = make_state<2>(scene, model);
-    run(state, 1.5);
+    run(state, 5);
     pair_rows(state, 0);
     const double start = state.time;
     state.wants_areas = true;
-    run(state, 2);
+    run(state, 6);
     const std::vector<PairRow> rows = pair_rows(state, state.time - start);
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(rows[0].body_a, 0);

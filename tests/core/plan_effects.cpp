@@ -101,6 +101,7 @@ TEST(Plan, EachEffectHasItsCause) {
                            Row{N::specified, S::displacement, false, false, false, false, true},
                            Row{N::specified, S::none, false, false, false, false}}) {
         Scene scene = bare();
+        scene.output.pairs = false;
         scene.contact = contact(LawType::frictionless);
         scene.contact->normal = row.normal;
         scene.contact->separation = row.separation;
@@ -123,6 +124,35 @@ TEST(Plan, EachEffectHasItsCause) {
         EXPECT_EQ(any_contains(fields, "mass times position"), row.positions);
         EXPECT_EQ(any_contains(fields, "mass times displacement"), row.displacements);
     }
+}
+
+TEST(Plan, LawsAndRigidBodiesPayForWhatTheyNeed) {
+    Scene scene = bare();
+    scene.contact = contact(LawType::friction, 0.2);
+    EXPECT_TRUE(any_contains(task_names(scene), "contact areas")) << "for pairs.csv, now and then";
+    EXPECT_FALSE(any_contains(field_names(scene), "volume gradient"));
+    scene.output.pairs = false;
+    for (const LawType type : {LawType::frictionless, LawType::friction, LawType::stick}) {
+        scene.contact->law.type = type;
+        EXPECT_FALSE(any_contains(task_names(scene), "contact areas"));
+        EXPECT_FALSE(any_contains(task_names(scene), "contact fields"));
+    }
+    for (const LawType type : {LawType::viscous_friction, LawType::adhesion}) {
+        scene.contact->law.type = type;
+        EXPECT_TRUE(effects_of(scene).areas && !effects_of(scene).displacements);
+        EXPECT_TRUE(any_contains(task_names(scene), "contact areas"));
+        EXPECT_FALSE(any_contains(field_names(scene), "displacement of bodies") ||
+                     any_contains(field_names(scene), "mass times displacement"));
+    }
+    for (const LawType type : {LawType::linear_interface, LawType::bilinear_interface, LawType::cohesive_interface}) {
+        scene.contact->law = {};
+        scene.contact->laws = {{{"a", "b"}, {type, 0}}};
+        EXPECT_TRUE(effects_of(scene).areas && effects_of(scene).displacements && effects_of(scene).interfaces);
+        EXPECT_TRUE(any_contains(field_names(scene), "mass times displacement"));
+    }
+    EXPECT_FALSE(any_contains(task_names(scene), "rigid"));
+    scene.bodies.emplace_back().rigid = RigidSpec{};
+    EXPECT_TRUE(any_contains(task_names(scene), "move rigid bodies"));
 }
 
 TEST(Plan, FilterAndItsContactTermFollowSchemeOrderAndCorrections) {

@@ -116,7 +116,7 @@ TEST(BuildModel, UnusableGridAndParticlesPerCell) {
 
 TEST(BuildModel, ShapeTooSmallForParticles) {
     Scene scene = unit_scene(4);
-    scene.bodies = {{"dot", "steel", Disk{{1, 1, 0}, 0.1}, {}, 2}};
+    scene.bodies = {{"dot", "steel", {}, Disk{{1, 1, 0}, 0.1}, {}, 2}};
     EXPECT_THAT(
         problems(scene),
         ElementsAre("/bodies/0: body \"dot\" got no particles: it is too small for particles of 500 mm × 500 mm"));

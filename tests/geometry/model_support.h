@@ -11,7 +11,7 @@ namespace test {
 
 inline abut::BodySpec box(const std::string& name, abut::Vector lower, abut::Vector upper,
                           const std::string& material = "steel") {
-    return {name, material, abut::Box{lower, upper}, {}, 2};
+    return {name, material, {}, abut::Box{lower, upper}, {}, 2};
 }
 
 /// "POINTER: MESSAGE" of every problem.

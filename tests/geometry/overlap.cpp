@@ -18,8 +18,9 @@ using testing::HasSubstr;
 
 TEST(Overlap, OfShapes) {
     Scene scene = unit_scene(4);
-    scene.bodies = {
-        box("a", {0, 0, 0}, {2, 2, 0}), box("b", {1, 0, 0}, {3, 2, 0}), {"c", "steel", Disk{{1, 3, 0}, 0.5}, {}, 2}};
+    scene.bodies = {box("a", {0, 0, 0}, {2, 2, 0}),
+                    box("b", {1, 0, 0}, {3, 2, 0}),
+                    {"c", "steel", {}, Disk{{1, 3, 0}, 0.5}, {}, 2}};
     EXPECT_THAT(problems(scene), ElementsAre("/bodies/1: body \"b\" claims a place that body \"a\" has already "
                                              "(/bodies/0): 8 of its 16 particles coincide"));
     scene.bodies[1] = box("a", {1, 0, 0}, {3, 2, 0}); // the mass of one body twice in one place
@@ -102,7 +103,7 @@ TEST(Overlap, InSpace) {
     scene.bodies = {box("a", {0, 0, 0}, {2, 2, 2}),
                     box("b", {0, 0, 1}, {2, 2, 3}),
                     box("c", {2, 0, 0}, {4, 2, 2}), // a's neighbour
-                    {"d", "steel", Ball{{2, 2, 3}, 1}, {}, 2}};
+                    {"d", "steel", {}, Ball{{2, 2, 3}, 1}, {}, 2}};
     EXPECT_THAT(problems(scene), ElementsAre("/bodies/1: body \"b\" claims a place that body \"a\" has already "
                                              "(/bodies/0): 32 of its 64 particles coincide",
                                              HasSubstr("body \"d\" claims a place that body \"b\" has already "

@@ -104,7 +104,7 @@ TEST(BallParticles, LieOnTheLatticeOfTheGrid) {
 
 TEST(ModelInSpace, BoxAndBall) {
     Scene scene = unit_scene(8, 3);
-    scene.bodies = {box("block", {0, 0, 0}, {8, 8, 2}), {"ball", "glass", Ball{{4, 4, 5}, 3}, {}, 2}};
+    scene.bodies = {box("block", {0, 0, 0}, {8, 8, 2}), {"ball", "glass", {}, Ball{{4, 4, 5}, 3}, {}, 2}};
     scene.bodies[1].velocity.value = {0, 0, -3};
     const Model model = build_model(scene, "scene.json");
     ASSERT_EQ(model.bodies.size(), 2u);
@@ -123,7 +123,7 @@ TEST(ModelInSpace, BoxAndBall) {
 
 TEST(ModelInSpace, ProblemsNameThreeEdgesAndTheThirdAxis) {
     Scene scene = unit_scene(4, 3);
-    scene.bodies = {{"dot", "steel", Ball{{1, 1, 1}, 0.1}, {}, 2}, box("out", {2, 2, 3}, {3, 3, 5})};
+    scene.bodies = {{"dot", "steel", {}, Ball{{1, 1, 1}, 0.1}, {}, 2}, box("out", {2, 2, 3}, {3, 3, 5})};
     EXPECT_THAT(problems(scene), ElementsAre("/bodies/0: body \"dot\" got no particles: it is too small for "
                                              "particles of 500 mm × 500 mm × 500 mm",
                                              "/bodies/1: body \"out\" lies partly outside the grid: 8 of its 16 "
@@ -134,12 +134,12 @@ TEST(ModelInSpace, ProblemsNameThreeEdgesAndTheThirdAxis) {
 
 TEST(ModelInSpace, ShapesOfTheOtherDimension) {
     Scene scene = unit_scene(4, 3);
-    scene.bodies = {{"disk", "steel", Disk{{1, 1, 0}, 1}, {}, 2}};
+    scene.bodies = {{"disk", "steel", {}, Disk{{1, 1, 0}, 1}, {}, 2}};
     scene.images.emplace_back();
     EXPECT_THAT(problems(scene), ElementsAre("/bodies/0: body \"disk\" has a plane shape in a 3d analysis",
                                              "/images/0: pictures make plane bodies; a 3d analysis has none"));
     scene = unit_scene(4);
-    scene.bodies = {{"ball", "steel", Ball{{1, 1, 0}, 1}, {}, 2}};
+    scene.bodies = {{"ball", "steel", {}, Ball{{1, 1, 0}, 1}, {}, 2}};
     EXPECT_THAT(problems(scene), ElementsAre("/bodies/0: body \"ball\" has a 3d shape in a plane analysis"));
 }
 

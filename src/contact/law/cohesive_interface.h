@@ -13,11 +13,25 @@ struct Cohesion {
     double slope(double d) const { // F'
         return strength / peak * (1 - std::abs(d) / peak) * std::exp(1 - std::abs(d) / peak);
     }
+    /// Bound of |F| up to |δ| = d.
+    double strongest(double) const { return strength; }
     /// ∫ F dδ from 0 [J/m^2].
     double energy(double d) const {
         const double x = std::abs(d) / peak;
         return strength * peak * std::numbers::e * (1 - (1 + x) * std::exp(-x));
     }
+};
+
+/// The normal component with springs in compression.
+struct CohesionAcross {
+    Cohesion tension;
+    double compression = 0; ///< D_nc [Pa/m]
+    double peak = tension.peak;
+
+    double traction(double d) const { return d > 0 ? tension.traction(d) : compression * d; }
+    double slope(double d) const { return d > 0 ? tension.slope(d) : compression; }
+    double energy(double d) const { return d > 0 ? tension.energy(d) : 0.5 * compression * d * d; }
+    double strongest(double d) const { return std::max(tension.strength, compression * std::abs(d)); }
 };
 
 /// What the bodies do at a node where an interface's slope is too steep for the step (notes 5.4, item 1).
@@ -62,7 +76,8 @@ std::pair<double, double> conserving_step(const Component& component, const Meet
     };
     const auto beyond = [&](double end) { return end - free + 0.5 * dt / at.mass * impulse(end); };
     // The springs pull back by at most this much.
-    const double most = 0.5 * dt * dt / at.mass * at.area * component.strength;
+    const double strongest = component.strongest(std::max(std::abs(start), std::abs(free)));
+    const double most = 0.5 * dt * dt / at.mass * at.area * strongest;
     double low = free - most, high = free + most;
     double end = free;
     for (int i = 0; i < 60; ++i) {
@@ -105,18 +120,20 @@ InterfaceStep<D> interface_step(const CohesiveInterface& law, const Meeting<D>& 
     InterfaceStep<D> step;
     const double opening = at.discontinuity.dot(at.normal);
     const double updated = at.stick.dot(at.normal);
+    const double velocity = at.start.dot(at.normal) / at.mass;
     const bool presses = std::isinf(frequency(at, law.compression)); // instead of springing
-    if (opening > 0 || (updated > 0 && (opening == 0 || presses))) {
-        auto [impulse, end] =
-            cohesive_step(law.normal, at, std::max(opening, 0.0), at.start.dot(at.normal) / at.mass, updated);
-        // Bodies that meet within the step don't pass each other.
-        if (end < 0 && presses && at.second_pass) impulse = updated;
+    if (!presses) {
+        const CohesionAcross across{law.normal, law.compression};
+        const auto [impulse, end] = cohesive_step(across, at, opening, velocity, updated);
+        step.impulse = impulse * at.normal;
+        step.energy = at.area * across.energy(end);
+    } else if (opening > 0 || updated > 0) {
+        auto [impulse, end] = cohesive_step(law.normal, at, std::max(opening, 0.0), velocity, updated);
+        if (end < 0 && at.second_pass) impulse = updated; // bodies that meet don't pass each other
         step.impulse = impulse * at.normal;
         step.energy = at.area * law.normal.energy(std::max(end, 0.0));
     } else {
-        const auto [impulse, end] = normal_step(at, 0, law.compression, opening);
-        step.impulse = impulse * at.normal;
-        if (end < 0 && !presses) step.energy = 0.5 * at.area * law.compression * end * end;
+        step.impulse = updated * at.normal;
     }
 
     // Along the way that the sliding displacement takes; in 3D what is across that way is free in this step.
