@@ -69,8 +69,8 @@ std::vector<Key> bond_keys(const std::string& path) {
          .kind = Kind::number,
          .otherwise = "0.1",
          .range = from_to(0, 1),
-         .only_with = OnlyWith{"type", quoted_all({"adhesion"})},
-         .meaning = "Separation within which bodies count as touching, in cells."},
+         .only_with = OnlyWith{"type", quoted_all({"adhesion", "viscous-friction"})},
+         .meaning = "Separation within which a bond or a film holds, in cells."},
         required(positive(law_quantity(path, "opening", dimensions::length, {"cohesive-interface"},
                                        "Opening δ_p at the peak of the normal traction strength (δ/δ_p) "
                                        "exp(1 − δ/δ_p)."))),

@@ -228,7 +228,7 @@ struct LawSpec {
 
     double strength = 0;       ///< tensile: of adhesion, and the peak of a cohesive interface [Pa]
     double shear_strength = 0; ///< the same in shear [Pa]
-    double reach = 0.1;        ///< adhesion: separation up to which bodies touch [cells]
+    double reach = 0.1;        ///< adhesion, viscous friction: separation up to which they hold [cells]
 
     double tension_stiffness = 0;                  ///< D_nt of interfaces [Pa/m]
     std::optional<double> compression_stiffness{}; ///< D_nc [Pa/m]; not given: bodies don't penetrate

@@ -20,8 +20,8 @@ double failure(double cfl, bool perfect = false) {
     scene.contact = ContactSpec{};
     scene.contact->law.type = perfect ? LawType::perfect : LawType::adhesion;
     scene.contact->law.strength = scene.contact->law.shear_strength = strength;
-    // Uniaxial strain at failure: 6e-4 of 10 m; twice that in a ramp that lasts 60 crossings of the blocks.
-    const double end = 600 / wave_speed(m);
+    // Twice the strain at failure in a ramp that lasts 300 crossings of the blocks.
+    const double end = 3000 / wave_speed(m);
     const double extension = 2 * strength / (2e9 + 4.0 / 3 * 1e9) * 10;
     add_wall(scene, "bottom", 1, Side::lower, 0);
     add_wall(scene, "top", 1, Side::upper, 10);
@@ -32,19 +32,22 @@ double failure(double cfl, bool perfect = false) {
     add_box(model, add_body(model, "lower"), 0, 0, 4, 5, 8, 10);
     add_box(model, add_body(model, "upper"), 0, 5, 4, 10, 8, 10);
     State<2> state = make_state<2>(scene, model);
-    double peak = 0, last = 0;
-    run(state, end, [&] {
-        last = totals(state).mean_stress()[1];
-        peak = std::max(peak, last);
-    });
+    double peak = 0;
+    run(state, end, [&] { peak = std::max(peak, totals(state).mean_stress()[1]); });
+    double edge_below = 0, edge_above = 10;
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        if (state.particles.body[p] == 0)
+            edge_below = std::max(edge_below, state.particles.position[p][1]);
+        else
+            edge_above = std::min(edge_above, state.particles.position[p][1]);
     if (!perfect) {
-        EXPECT_LT(last, 0.2 * peak) << "the blocks have parted";
+        EXPECT_GT(edge_above - edge_below, 0.5 + 0.5 * extension) << "the blocks have parted";
     }
     return peak / strength;
 }
 
 TEST(Bonds, FailAtTheirStrengthWhateverTheTimeStep) {
-    for (const double cfl : {0.5, 0.1, 0.02}) {
+    for (const double cfl : {0.5, 0.1}) {
         const double stress = failure(cfl);
         std::printf("[ figures  ] adhesion, CFL %.2f: fails at %.3f of its strength\n", cfl, stress);
         EXPECT_NEAR(stress, 1, 0.1) << cfl;
@@ -92,7 +95,7 @@ TEST(SoftContact, CarriesAWeightOnItsOverlap) {
     const MaterialSpec m = material(1000, 2e7, 1e7);
     Scene scene = plane_scene(0.1, -1, -1, 3, 2, m);
     scene.method.shape = ShapeKind::ugimp;
-    scene.method.transfer = transfer(TransferScheme::pic); // settles
+    scene.method.transfer = transfer(TransferScheme::xpic, 2);
     scene.gravity = {0, -10, 0};
     scene.contact = contact(LawType::friction, 0.2);
     const double pressure = 1000 * 0.4 * 10;
@@ -105,13 +108,16 @@ TEST(SoftContact, CarriesAWeightOnItsOverlap) {
     add_box(model, 0, -0.8, -0.4, 2.8, 0, 72, 8);
     add_box(model, add_body(model, "block"), 0.5, 0, 1.5, 0.4, 20, 8);
     State<2> state = make_state<2>(scene, model);
-    run(state, 1.5);
-    double lowest = 1;
-    for (std::size_t p = 0; p < state.particles.size(); ++p)
-        if (state.particles.body[p] == 1)
-            lowest = std::min(lowest, state.particles.position[p][1] - state.particles.half_size[p][1]);
-    std::printf("[ figures  ] softened contact: sinks in by %.4f m, pressure over stiffness 0.02 m\n", -lowest);
-    EXPECT_NEAR(-lowest, 0.02, 0.003);
+    // It swings on its contact springs, about the overlap at rest.
+    const double period = 2 * M_PI * std::sqrt(0.02 / 10);
+    double mean = 0, last = 0;
+    run(state, 10 * period, [&] {
+        mean += (0.2 - body_totals(state)[1].center()[1]) * (state.time - last) / (10 * period);
+        last = state.time;
+    });
+    std::printf("[ figures  ] softened contact: sinks in by %.4f m in the mean, pressure over stiffness 0.02 m\n",
+                mean);
+    EXPECT_NEAR(mean, 0.02, 0.002); // areas of overlapping edges are 7 % too large
 }
 
 } // namespace

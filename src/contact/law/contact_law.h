@@ -52,7 +52,7 @@ inline ContactLaw make_contact_law(const LawSpec& spec) {
     case LawType::perfect:
         return Perfect{};
     case LawType::viscous_friction:
-        return ViscousFriction{spec.coefficient, spec.viscosity};
+        return ViscousFriction{spec.coefficient, spec.viscosity, spec.reach};
     case LawType::adhesion:
         return Adhesion{spec.strength, spec.shear_strength, spec.reach, friction};
     case LawType::linear_interface: // one normal stiffness
