@@ -12,6 +12,15 @@ namespace abut {
 
 namespace {
 
+/// The gap between two edges along n, and its derivative: the distance of the two places where the edges are.
+template <int D>
+Gap<D> gap_of(const Particles<D>& particles, const Edges& edges, const Vec<D>& n) {
+    const auto place = [&](int p, const Vec<D>& outward) {
+        return edge_point<D>(particles.position[p], particles.deformation_gradient[p], particles.half_size[p], outward);
+    };
+    return {edges.b - edges.a, place(edges.first_b, -n) - place(edges.last_a, n)};
+}
+
 /// The gap of a point's particles along a vector of any length (contact paper Eq. 22-24), times that length.
 template <int D>
 Gap<D> gap_along(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, const ContactPoint<D>& point,
@@ -19,22 +28,11 @@ Gap<D> gap_along(const State<D>& state, const ContactGroup<D>& group, std::ptrdi
     const Particles<D>& particles = state.particles;
     const Vec<D> node = state.grid.node_position(group.node);
     Edges edges;
-    std::int32_t last_a = -1;
-    std::int32_t first_b = -1;
-    for (const std::int32_t p : particles_of_group(state.contact, g)) {
-        if (!takes_part(point, particles.body[p])) continue;
-        const bool side_a = particles.body[p] == point.body_a;
-        const Edges before = edges;
-        edges.add(side_a, (particles.position[p] - node).dot(n),
-                  edge_distance<D>(particles.deformation_gradient[p], particles.half_size[p], n));
-        if (edges.a > before.a) last_a = p;
-        if (edges.b < before.b) first_b = p;
-    }
-    return {edges.b - edges.a,
-            edge_point<D>(particles.position[first_b] - node, particles.deformation_gradient[first_b],
-                          particles.half_size[first_b], -n) -
-                edge_point<D>(particles.position[last_a] - node, particles.deformation_gradient[last_a],
-                              particles.half_size[last_a], n)};
+    for (const std::int32_t p : particles_of_group(state.contact, g))
+        if (takes_part(point, particles.body[p]))
+            edges.add(particles.body[p] == point.body_a, (particles.position[p] - node).dot(n),
+                      edge_distance<D>(particles.deformation_gradient[p], particles.half_size[p], n), p);
+    return gap_of(particles, edges, n);
 }
 
 /// Separation of the edges of the particles nearest to the other class (contact paper Eq. 22-24), and the overlap close
@@ -59,9 +57,9 @@ void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_
         const double along = x.dot(point.normal);
         const double R = edge_distance<D>(particles.deformation_gradient[p], particles.half_size[p], point.normal);
         const bool side_a = particles.body[p] == point.body_a;
-        all.add(side_a, along, R);
+        all.add(side_a, along, R, p);
         if ((x - along * point.normal).squaredNorm() < half_width * half_width * length * length)
-            near.add(side_a, along, R);
+            near.add(side_a, along, R, p);
     }
     point.separation = all.b - all.a;
     // A slightly tilted normal makes bodies touch early: look whether there is a gap along one close by.
@@ -69,7 +67,7 @@ void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_
     const double farthest = 0.05 * length;
     if (closest < point.separation && point.separation < farthest)
         point.separation =
-            widest_gap<D>(point.normal, gap_along(state, group, g, point, point.normal), 1e-3 * length, 0.05 * length,
+            widest_gap<D>(point.normal, gap_of(particles, all, point.normal), 1e-3 * length, 0.05 * length,
                           [&](const Vec<D>& n) { return gap_along(state, group, g, point, n); });
     point.overlap = std::max(0.0, near.a - near.b - tolerance * length);
 }

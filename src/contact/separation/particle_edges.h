@@ -2,7 +2,6 @@
 #include "math/linear_algebra.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <limits>
 
 namespace abut {
@@ -34,15 +33,20 @@ double edge_distance_along_ray(const Mat<D>& F, const Vec<D>& half_size, const V
     return 1 / (F.inverse() * n).cwiseQuotient(half_size).norm();
 }
 
-/// Where the particles of both sides of a point end along n (contact paper Eq. 22, 23); Eq. (24): b − a.
+/// Where the particles of both sides of a point end along n (contact paper Eq. 22, 23), and which do; Eq. (24): b − a.
 struct Edges {
     double a = -std::numeric_limits<double>::infinity();
     double b = std::numeric_limits<double>::infinity();
-    void add(bool side_a, double x, double R) {
-        if (side_a)
-            a = std::max(a, x + R);
-        else
-            b = std::min(b, x - R);
+    int last_a = -1;
+    int first_b = -1;
+    void add(bool side_a, double x, double R, int p) {
+        if (side_a && x + R > a) {
+            a = x + R;
+            last_a = p;
+        } else if (!side_a && x - R < b) {
+            b = x - R;
+            first_b = p;
+        }
     }
 };
 

@@ -35,7 +35,7 @@ double widest_gap(const Vec<D>& normal, Gap<D> gap, double fine, double wide, At
     for (int line = 0; line < lines && best < wide; ++line) {
         Vec<D> across = gap.slope - gap.slope.dot(n) * n;
         const double length = across.norm();
-        if (!(length > 0)) break;
+        if (!(length > 0) || gap.width + turn * length < 0) break; // overlap for certain
         across /= length;
         const Vec<D> from = n;
         const auto look = [&](double turned) { return at(Vec<D>(from + turned * across)); };
