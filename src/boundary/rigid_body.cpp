@@ -5,22 +5,16 @@
 
 namespace abut {
 
-namespace {
-
-/// By body; those of the others are not used.
 template <int D>
-std::vector<RigidPose> poses(const State<D>& state, double time) {
-    std::vector<RigidPose> result(state.bodies.size());
-    for (std::size_t b = 0; b < state.bodies.size(); ++b)
-        if (state.bodies[b].rigid) result[b] = rigid_pose(*state.bodies[b].rigid, time);
-    return result;
+std::vector<RigidPose> rigid_poses(const State<D>& state, double time) {
+    std::vector<RigidPose> poses(state.bodies.size());
+    for (std::size_t b = 0; b < poses.size(); ++b)
+        if (state.bodies[b].rigid) poses[b] = rigid_pose(*state.bodies[b].rigid, time);
+    return poses;
 }
 
-} // namespace
-
 template <int D>
-void set_rigid_velocities(const State<D>& state, double time, std::vector<Pack>& velocity) {
-    const std::vector<RigidPose> pose = poses(state, time);
+void set_rigid_velocities(const State<D>& state, const std::vector<RigidPose>& poses, std::vector<Pack>& velocity) {
     const auto n = static_cast<std::ptrdiff_t>(state.fields.blocks.size());
 #pragma omp parallel for schedule(dynamic, 16)
     for (std::ptrdiff_t b = 0; b < n; ++b) {
@@ -30,7 +24,7 @@ void set_rigid_velocities(const State<D>& state, double time, std::vector<Pack>&
                 const std::int32_t body = state.fields.field[slot];
                 if (!is_rigid(state, body)) continue;
                 const Vec<D> x = state.grid.node_position(block.node(static_cast<int>(local)));
-                velocity[slot] = pack<D>(velocity[slot][0], to_vec<D>(pose[body].velocity_at(to_array<D>(x))));
+                velocity[slot] = pack<D>(velocity[slot][0], to_vec<D>(poses[body].velocity_at(to_array<D>(x))));
             }
     }
 }
@@ -38,8 +32,8 @@ void set_rigid_velocities(const State<D>& state, double time, std::vector<Pack>&
 template <int D>
 void move_rigid_bodies(State<D>& state) {
     Particles<D>& particles = state.particles;
-    const std::vector<RigidPose> before = poses(state, state.time);
-    const std::vector<RigidPose> after = poses(state, state.time + state.dt);
+    const std::vector<RigidPose>& before = state.poses;
+    const std::vector<RigidPose> after = rigid_poses(state, state.time + state.dt);
     std::vector<std::int32_t> outside(state.tiling.tiles.size(), -1);
     for_each_tile(state.tiling, [&](const Tile<D>& tile) {
         if (!is_rigid(state, tile.body)) return;
@@ -60,8 +54,10 @@ void move_rigid_bodies(State<D>& state) {
         if (p >= 0) throw RunError(describe_failure(state, p, "the rigid body left the grid"));
 }
 
-template void set_rigid_velocities<2>(const State<2>&, double, std::vector<Pack>&);
-template void set_rigid_velocities<3>(const State<3>&, double, std::vector<Pack>&);
+template std::vector<RigidPose> rigid_poses<2>(const State<2>&, double);
+template std::vector<RigidPose> rigid_poses<3>(const State<3>&, double);
+template void set_rigid_velocities<2>(const State<2>&, const std::vector<RigidPose>&, std::vector<Pack>&);
+template void set_rigid_velocities<3>(const State<3>&, const std::vector<RigidPose>&, std::vector<Pack>&);
 template void move_rigid_bodies<2>(State<2>&);
 template void move_rigid_bodies<3>(State<3>&);
 

@@ -18,7 +18,10 @@ struct ContactPoint {
     double overlap = 0;             ///< close to the node, beyond what steps in the edges explain [m], >= 0
     std::int32_t cloud_size = 0;
     std::int32_t iterations = 0;
-    double parting = 0;              ///< normal velocity at which overlapping bodies shall part [m/s]
+    double parting = 0; ///< normal velocity at which overlapping bodies shall part [m/s]
+    /// Normal velocity of b to a that bodies in contact have at the node, which may lie off their interface: 0, but at
+    /// rigid bodies (see rigid_edge()) [m/s].
+    double at_node = 0;
     bool light = false;              ///< touching, and one body has next to no mass here: see ContactSpec::screening
     Vec<D> sliding = Vec<D>::Zero(); ///< tangential velocity of b to a that a light pair keeps [m/s]
     double carried_separation = 0;   ///< at the time of the pass [m]

@@ -87,7 +87,8 @@ Meeting<D> meeting_at(const State<D>& state, const ContactGroup<D>& group, const
 
 template <int D>
 void carry_separation(ContactPoint<D>& point, const Vec<D>& approach, const Pass& pass) {
-    point.carried_separation = point.separation + approach.dot(point.normal) * pass.carry; // notes 3.56
+    point.carried_separation =
+        point.separation + (approach.dot(point.normal) - point.at_node) * pass.carry; // notes 3.56
     point.touching = point.carried_separation < 0;
 }
 
@@ -158,8 +159,8 @@ void correct_pairs(State<D>& state, const ContactGroup<D>& group, const Pass& pa
             const Side b = side_b(state, group, point, velocity);
             const double mass = reduced_mass(a, b);
             // What would stop the pair if the pair's own impulse had not been given yet.
-            const Vec<D> stick =
-                point.impulse + mass * (vector_of<D>(b.velocity - a.velocity) - point.parting * point.normal);
+            const Vec<D> stick = point.impulse + mass * (vector_of<D>(b.velocity - a.velocity) -
+                                                         (point.parting + point.at_node) * point.normal);
             Vec<D> impulse = stick - mass * point.sliding;
             if (!point.light) {
                 const InterfaceStep<D> step = apply_law(contact.laws.between(point.body_a, point.body_b),

@@ -40,6 +40,33 @@ Gap<D> gap_along(const State<D>& state, const ContactGroup<D>& group, std::ptrdi
 /// make the separation negative though nothing overlaps. The overlap therefore counts only particles whose centres lie
 /// within half a cell of the line through the node along n, and what is left of the curvature, of the steps in a
 /// body's edge and of the inscribed ellipses is covered by a tenth of a cell.
+/// How body a, or b, moves to a rigid body at the node when it moves with it at their interface. A rigid body gives its
+/// velocity to whatever touches it, and nodes inside the other body, half a cell from the interface, would become rigid
+/// too: the layer there would not deform. So the velocity holds at the interface, and changes from there by the other
+/// body's own gradient along n, fitted to its particles' velocities (as for walls, FMPM paper Eq. 4): with d the
+/// distance along n from the interface and u the normal velocity to the rigid body there, u = g d, g = Σ u d / Σ d².
+/// \param edge of the rigid body, along n from the node [m]
+/// \return (v_b − v_a)·n at the node [m/s]
+template <int D>
+double rigid_edge(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, const ContactPoint<D>& point,
+                  double edge) {
+    const Particles<D>& particles = state.particles;
+    const RigidPose& pose = state.poses[point.rigid_a ? point.body_a : point.body_b];
+    const std::int32_t other = point.rigid_a ? point.body_b : point.body_a;
+    const Vec<D> node = state.grid.node_position(group.node);
+    double products = 0;
+    double squares = 0;
+    for (const std::int32_t p : particles_of_group(state.contact, g)) {
+        if (particles.body[p] != other) continue;
+        const double d = (particles.position[p] - node).dot(point.normal) - edge;
+        const Vec<D> rigid = to_vec<D>(pose.velocity_at(to_array<D>(particles.position[p])));
+        products += (particles.velocity[p] - rigid).dot(point.normal) * d;
+        squares += d * d;
+    }
+    const double gradient = squares > 0 ? products / squares : 0;
+    return point.rigid_a ? -gradient * edge : gradient * edge;
+}
+
 template <int D>
 void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point) {
     constexpr double half_width = 0.5; // [cells]
@@ -70,6 +97,9 @@ void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_
             widest_gap<D>(point.normal, gap_of(particles, all, point.normal), 1e-3 * length, 0.05 * length,
                           [&](const Vec<D>& n) { return gap_along(state, group, g, point, n); });
     point.overlap = std::max(0.0, near.a - near.b - tolerance * length);
+    const bool rigid = point.rigid_a || point.rigid_b;
+    if (rigid && point.slot_b >= 0 && !is_interface(state.contact.laws.between(point.body_a, point.body_b)))
+        point.at_node = rigid_edge(state, group, g, point, point.rigid_a ? all.a : all.b);
 }
 
 /// Mass of the other side of a point.

@@ -1,5 +1,6 @@
 #pragma once
 #include "boundary/boundary.h"
+#include "boundary/rigid_motion.h"
 #include "boundary/traction.h"
 #include "contact/contact.h"
 #include "grid/grid.h"
@@ -70,6 +71,7 @@ struct State {
     StencilStore<D> stencil_store; ///< empty for shapes that are expanded on the spot
     NodeArrays<D> nodes;
     Contact<D> contact;
+    std::vector<RigidPose> poses; ///< of rigid bodies at the start of the step, by body (Effects::rigid)
     std::vector<Boundary> boundaries;
     std::vector<Control> controls; ///< of the present step (Effects::velocity_conditions)
     std::vector<TractionFace> traction_faces;

@@ -20,7 +20,9 @@ void divide_by_mass(const std::vector<Pack>& momentum, std::vector<Pack>& veloci
 template <int D>
 void find_velocities(State<D>& state) {
     divide_by_mass(state.nodes.momentum, state.nodes.velocity);
-    if (state.effects.rigid) set_rigid_velocities(state, state.time, state.nodes.velocity);
+    if (!state.effects.rigid) return;
+    state.poses = rigid_poses(state, state.time);
+    set_rigid_velocities(state, state.poses, state.nodes.velocity);
 }
 
 template <int D>
@@ -57,7 +59,7 @@ void update_momenta(State<D>& state) {
         const Pack v = state.nodes.velocity[slot];
         state.nodes.end_velocity[slot] = v[0] > 0 ? v + dt * (state.nodes.force[slot] / v[0] + gravity) : v;
     }
-    if (state.effects.rigid) set_rigid_velocities(state, state.time + dt, state.nodes.end_velocity);
+    if (state.effects.rigid) set_rigid_velocities(state, rigid_poses(state, state.time + dt), state.nodes.end_velocity);
 }
 
 template <int D>

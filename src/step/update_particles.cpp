@@ -210,7 +210,7 @@ void update_stress_again(State<D>& state) {
     extrapolate_momenta(state);
     std::vector<Pack> lumped;
     divide_by_mass(state.nodes.momentum, lumped);
-    if (state.effects.rigid) set_rigid_velocities(state, state.time + state.dt, lumped);
+    if (state.effects.rigid) set_rigid_velocities(state, rigid_poses(state, state.time + state.dt), lumped);
     std::vector<Pack> delta;
     if (state.effects.contact)
         correct_for_contact(state, lumped, state.effects.fmpm && state.transfers ? &delta : nullptr);

@@ -139,7 +139,7 @@ TEST(SceneStructure, KeysThatGoTogether) {
          "required and missing"},
         {"/bodies/1/rigid", "{}", "/bodies/1/material", "does not go with \"rigid\""},
         {"/bodies/0/material", "", "/bodies/0/material", "required and missing"},
-        {"/images/0/legend/0/material", "", "/images/0/legend/0/material", "required and missing"},
+        {"/images/0/legend/1/material", "", "/images/0/legend/1/material", "required and missing"},
         {"/images/0/legend/2/body", R"("x")", "/images/0/legend/2/body",
          "only goes with \"void\": false; here it is true"},
     });

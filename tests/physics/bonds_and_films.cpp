@@ -9,7 +9,8 @@ namespace {
 
 using namespace test;
 
-/// Largest mean tensile stress of two bonded blocks that walls pull apart slowly, over the bond's strength.
+/// Largest tensile stress near the bond of two blocks that walls pull apart slowly, over the bond's strength. (Next to
+/// the walls, which hold a cell each, it is less.)
 double failure(double cfl, bool perfect = false) {
     const MaterialSpec m = material(1000, 2e9, 1e9);
     Scene scene = plane_scene(1, -2, -2, 6, 14, m);
@@ -33,7 +34,16 @@ double failure(double cfl, bool perfect = false) {
     add_box(model, add_body(model, "upper"), 0, 5, 4, 10, 8, 10);
     State<2> state = make_state<2>(scene, model);
     double peak = 0;
-    run(state, end, [&] { peak = std::max(peak, totals(state).mean_stress()[1]); });
+    run(state, end, [&] {
+        double stress = 0;
+        int count = 0;
+        for (std::size_t p = 0; p < state.particles.size(); ++p) {
+            if (std::abs(state.particles.position[p][1] - 5) > 2) continue;
+            stress += state.particles.stress[p][1];
+            ++count;
+        }
+        peak = std::max(peak, stress / count);
+    });
     double edge_below = 0, edge_above = 10;
     for (std::size_t p = 0; p < state.particles.size(); ++p)
         if (state.particles.body[p] == 0)
@@ -50,12 +60,13 @@ TEST(Bonds, FailAtTheirStrengthWhateverTheTimeStep) {
     for (const double cfl : {0.5, 0.1}) {
         const double stress = failure(cfl);
         std::printf("[ figures  ] adhesion, CFL %.2f: fails at %.3f of its strength\n", cfl, stress);
-        EXPECT_NEAR(stress, 1, 0.1) << cfl;
+        EXPECT_NEAR(stress, 1, 0.03) << cfl;
     }
-    EXPECT_GT(failure(0.5, true), 1.9) << "a perfect bond holds on";
+    EXPECT_GT(failure(0.5, true), 2) << "a perfect bond holds on";
 }
 
-/// Velocity of a block on a viscous film after one time constant ρ h/η, over e^-1 of the initial one.
+/// Velocity of a block on a viscous film after one time constant ρ h/η, over e^-1 of the initial one. The floor is as
+/// wide as the block, which hardly moves: where one body ends on another, contact areas come out half a cell too wide.
 double braked(const TransferSpec& scheme) {
     const MaterialSpec m = material(1000, 2e6, 1e6);
     Scene scene = plane_scene(0.1, -1, -1, 5, 2, m);
@@ -64,19 +75,19 @@ double braked(const TransferSpec& scheme) {
     scene.gravity = {0, -1, 0};
     scene.contact = ContactSpec{};
     scene.contact->law.type = LawType::viscous_friction;
-    const double height = 0.4, constant = 0.4;
+    const double height = 0.4, constant = 0.4, speed = 0.01;
     scene.contact->law.viscosity = 1000 * height / constant;
     BodySpec declared;
     declared.rigid = RigidSpec{};
     scene.bodies.push_back(declared);
     Model model;
     model.bodies.push_back({"floor", -1, {}, RigidSpec{}});
-    add_box(model, 0, -0.8, -0.4, 4.8, 0, 112, 8);
-    add_box(model, add_body(model, "block", {1, 0, 0}), 0, 0, 1, height, 20, 8);
+    add_box(model, 0, 0, -0.4, 1, 0, 20, 8);
+    add_box(model, add_body(model, "block", {speed, 0, 0}), 0, 0, 1, height, 20, 8);
     State<2> state = make_state<2>(scene, model);
     prepare(state);
     run(state, constant);
-    return body_totals(state)[1].mean_velocity()[0] / std::exp(-1.0);
+    return body_totals(state)[1].mean_velocity()[0] / (speed * std::exp(-1.0));
 }
 
 TEST(Films, BrakeAlikeWithEveryTransfer) {
@@ -105,7 +116,7 @@ TEST(SoftContact, CarriesAWeightOnItsOverlap) {
     scene.bodies.push_back(declared);
     Model model;
     model.bodies.push_back({"floor", -1, {}, RigidSpec{}});
-    add_box(model, 0, -0.8, -0.4, 2.8, 0, 72, 8);
+    add_box(model, 0, 0.5, -0.4, 1.5, 0, 20, 8);
     add_box(model, add_body(model, "block"), 0.5, 0, 1.5, 0.4, 20, 8);
     State<2> state = make_state<2>(scene, model);
     // It swings on its contact springs, about the overlap at rest.
@@ -117,7 +128,7 @@ TEST(SoftContact, CarriesAWeightOnItsOverlap) {
     });
     std::printf("[ figures  ] softened contact: sinks in by %.4f m in the mean, pressure over stiffness 0.02 m\n",
                 mean);
-    EXPECT_NEAR(mean, 0.02, 0.002); // areas of overlapping edges are 7 % too large
+    EXPECT_NEAR(mean, 0.02, 0.001);
 }
 
 } // namespace
