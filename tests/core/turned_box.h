@@ -1,4 +1,6 @@
 #pragma once
+/// What the tests on inclined planes share.
+
 #include "support.h"
 
 namespace test {
@@ -15,6 +17,16 @@ inline void add_turned_box(Model& model, int body, const Vector& center, double 
     }
     model.angle.resize(first, 0);
     model.angle.resize(model.size(), angle);
+}
+
+/// Runs from one time to another with a gravity that changes smoothly. \param gravity by a share that goes from 0 to 1
+inline void ramp(State<2>& state, double from, double to, const std::function<Vector(double)>& gravity) {
+    while (state.time < to * (1 - 1e-9)) {
+        const double middle = (state.time + 1e-3 - from) / (to - from);
+        state.scene.gravity = gravity(0.5 - 0.5 * std::cos(std::acos(-1) * std::min(1.0, middle)));
+        run(state, std::min(state.time + 2e-3, to));
+    }
+    state.scene.gravity = gravity(1);
 }
 
 } // namespace test
