@@ -1,6 +1,7 @@
 #include "contact/contact_pass.h"
 
 #include "boundary/rigid_body.h"
+#include "contact/group_view.h"
 
 #include <algorithm>
 
@@ -64,6 +65,22 @@ Vec<D> momentum_at_start(const State<D>& state, const ContactGroup<D>& group, co
     return mass * vector_of<D>(side_b(state, group, point, start).velocity - start[point.slot_a]);
 }
 
+/// m (f_b/m_b − f_a/m_a) of the forces without contact, where they are known before the first pass: not if stress is
+/// updated between.
+template <int D>
+Vec<D> force_between(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point, double mass) {
+    if (state.effects.stress_first) return Vec<D>::Zero();
+    const std::vector<Pack>& force = state.nodes.force;
+    const std::vector<Pack>& masses = state.nodes.velocity;
+    Vec<D> difference = Vec<D>::Zero();
+    const bool rigid_side_b = point.slot_b >= 0 ? point.rigid_b : group.rigid_slot >= 0;
+    if (!rigid_side_b)
+        difference += vector_of<D>(sum_of_others(state.contact, group, point, force)) /
+                      sum_of_others(state.contact, group, point, masses)[0];
+    if (!point.rigid_a) difference -= vector_of<D>(force[point.slot_a]) / masses[point.slot_a][0];
+    return mass * difference;
+}
+
 /// A point as its law sees it. \param stick Δp(0)
 template <int D>
 Meeting<D> meeting_at(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
@@ -81,6 +98,7 @@ Meeting<D> meeting_at(const State<D>& state, const ContactGroup<D>& group, const
     at.area = point.area;
     at.discontinuity = point.discontinuity;
     at.separation_at_start = point.separation;
+    at.force = force_between(state, group, point, mass);
     at.start = pass.second ? momentum_at_start(state, group, point, mass) : stick;
     return at;
 }

@@ -84,15 +84,17 @@ TEST(BadScene, TimeStepAboveTheStableOne) {
 }
 
 TEST(BadScene, AllProblemsAtOnce) {
-    expect_refused({R"({"bodies": [{"name": "block", "material": "ruber", "velocty": [0, 0],
+    expect_refused(
+        {R"({"bodies": [{"name": "block", "material": "ruber", "velocty": [0, 0],
                                     "box": {"lower": [0, 0], "upper": ["3 mm", "4 s"]}}],
                         "contact": {"law": {"type": "friction"}}, "ttle": "x"})",
-                    R"({"contact": {"law": {"coefficient": null}}})"},
-                   {R"(/bodies/0/velocty: unknown key "velocty"; did you mean "velocity"?)",
-                    R"(/bodies/0/material: no material "ruber"; did you mean "rubber"?)",
-                    "/bodies/0/box/upper/1: 4 s is a time; a length (m) is needed",
-                    "/contact/law/coefficient: this key is required and missing. Coulomb's coefficient of friction.",
-                    R"(/ttle: unknown key "ttle"; did you mean "title"?)"});
+         R"({"contact": {"law": {"coefficient": null}}})"},
+        {R"(/bodies/0/velocty: unknown key "velocty"; did you mean "velocity"?)",
+         R"(/bodies/0/material: no material "ruber"; did you mean "rubber"?)",
+         "/bodies/0/box/upper/1: 4 s is a time; a length (m) is needed",
+         "/contact/law/coefficient: this key is required and missing. Coefficient of friction µ while sliding; of "
+         "`adhesion` under pressure, and when it has failed.",
+         R"(/ttle: unknown key "ttle"; did you mean "title"?)"});
 }
 
 TEST(BadScene, MissingFile) {

@@ -72,7 +72,7 @@ TEST(Incline, ABlockSlidesAsCoulombSays) {
             const Sliding s = slide(degrees, friction);
             std::printf("[ figures  ] incline %2.0f deg, friction %.1f: a = %.4f, theory %.4f m/s^2\n", degrees,
                         friction, s.acceleration, s.theory);
-            EXPECT_NEAR(s.acceleration, s.theory, 0.015 * 10 * std::sin(degrees * M_PI / 180));
+            EXPECT_NEAR(s.acceleration, s.theory, 0.003 * 10 * std::sin(degrees * M_PI / 180));
             EXPECT_LT(std::abs(s.normal), 0.1);
         }
 }

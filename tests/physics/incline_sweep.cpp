@@ -103,15 +103,13 @@ void sweep(const char* what, double tilt, double tolerance) {
 }
 
 TEST(InclineSweep, PlaneAlongTheGrid) {
-    sweep("along the grid", 0, 0.015 * g * std::sin(slope));
+    sweep("along the grid", 0, 0.002 * g * std::sin(slope));
 }
 
-/// Does not meet the 1.5 % of the plane along the grid. Sliding across the grid is braked by 0.6 to 1.1 % of gravity,
-/// also without friction, at 45 degrees and with half the cell size: normals at the block's front edge, which bears a
-/// quarter of the weight, lean back by 1 degree, and those at its rear edge don't make up for it. This keeps it from
-/// growing.
-TEST(InclineSweep, PlaneAcrossTheGridIsBrakedALittle) {
-    sweep("turned by 30 deg", slope, 0.0125 * g);
+/// Normals that lean by a degree, as those of the regression alone do at the ends of a block, would brake it by 1 % of
+/// its weight.
+TEST(InclineSweep, PlaneAcrossTheGrid) {
+    sweep("turned by 30 deg", slope, 0.002 * g * std::sin(slope));
 }
 
 } // namespace

@@ -42,8 +42,8 @@ double seconds_of(State<2>& state, int steps) {
 }
 
 TEST(ManyBodies, ApartTheyCostNoContact) {
-    State<2> own = grains(45, 5, 2.5, true);
-    State<2> one = grains(45, 5, 2.5, false);
+    State<2> own = grains(45, 5, 3.5, true);
+    State<2> one = grains(45, 5, 3.5, false);
     EXPECT_EQ(own.bodies.size(), 2025U);
     const double of_own = seconds_of(own, 20), of_one = seconds_of(one, 20);
     EXPECT_TRUE(own.fields.contact_nodes.empty());

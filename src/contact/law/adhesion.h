@@ -6,9 +6,9 @@ namespace abut {
 /// Bodies that touch hold together like one up to a strength. In tension the traction may reach (T/T_s)² + (S/S_s)² =
 /// 1; under pressure, where friction helps, S <= S_s + µ N. Beyond that they slide or part by Coulomb's law in this
 /// step. The bond has no memory: bodies that come to rest on one another hold again.
-/// In the first pass Δp(0) is the difference of two extrapolations and knows nothing of the time step; it is weighed
+/// In the first pass Δp(0) is the difference of two extrapolations and knows nothing of the time step: it is weighed
 /// over the time in which a wave crosses a cell, so that it counts as the stress ρ c Δv of bodies that are torn apart,
-/// whatever the step.
+/// and the forces of the step are added, so that what the second pass will let go is not held here.
 struct Adhesion {
     double strength = 0;       ///< T_s [Pa]
     double shear_strength = 0; ///< S_s [Pa]
@@ -28,9 +28,11 @@ struct Adhesion {
 template <int D>
 Vec<D> law_impulse(const Adhesion& law, const Meeting<D>& at) {
     if (!(at.separation < law.reach * at.cell)) return Vec<D>::Zero();
-    const double area_step = at.area * (at.second_pass ? at.dt : std::max(at.dt, at.crossing));
-    const double tangential = at.tangential().norm();
-    if (area_step > 0 && law.holds(-at.compression() / area_step, tangential / area_step)) return at.stick;
+    const Vec<D> needed =
+        at.second_pass ? Vec<D>(at.stick / at.dt) : Vec<D>(at.stick / std::max(at.dt, at.crossing) + at.force);
+    const double normal = needed.dot(at.normal);
+    const double tangential = (needed - normal * at.normal).norm();
+    if (at.area > 0 && law.holds(normal / at.area, tangential / at.area)) return at.stick;
     return law_impulse(law.friction, at);
 }
 

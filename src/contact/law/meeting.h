@@ -17,6 +17,7 @@ struct Meeting {
     bool second_pass = false; ///< after the momentum update
 
     // === Only for laws that say so
+    Vec<D> force = Vec<D>::Zero(); ///< that keeps them together, from what is extrapolated: m (f_b/m_b − f_a/m_a) [N]
     double area = 0;               ///< contact area A_c [m^2] (needs_area)
     Vec<D> start = Vec<D>::Zero(); ///< m (v_b − v_a) at the start of the step [N s]; in the first pass `stick`
     Vec<D> discontinuity = Vec<D>::Zero(); ///< δ(0): displacement of b less that of a [m] (interfaces)

@@ -24,9 +24,11 @@ struct Gap {
 /// \param at   the gap along a vector n of any length
 /// \param gap  at the normal
 /// \param fine accuracy [m]
-/// \param wide stops there: bodies are apart for certain [m]. Also stops where bodies overlap for certain.
+/// \param wide stops there: bodies are apart for certain [m]
+/// \param direction takes the vector along which the gap is widest; null: not wanted, and then the search stops too
+///   where bodies overlap for certain
 template <int D, class At>
-double widest_gap(const Vec<D>& normal, Gap<D> gap, double fine, double wide, At&& at) {
+double widest_gap(const Vec<D>& normal, Gap<D> gap, double fine, double wide, At&& at, Vec<D>* direction = nullptr) {
     constexpr double turn = 0.1; // largest, tangent
     constexpr int lines = D == 2 ? 1 : 3;
     constexpr int cuts = 6;
@@ -35,7 +37,7 @@ double widest_gap(const Vec<D>& normal, Gap<D> gap, double fine, double wide, At
     for (int line = 0; line < lines && best < wide; ++line) {
         Vec<D> across = gap.slope - gap.slope.dot(n) * n;
         const double length = across.norm();
-        if (!(length > 0) || gap.width + turn * length < 0) break; // overlap for certain
+        if (!(length > 0) || (!direction && gap.width + turn * length < 0)) break; // overlap for certain
         across /= length;
         const Vec<D> from = n;
         const auto look = [&](double turned) { return at(Vec<D>(from + turned * across)); };
@@ -46,6 +48,7 @@ double widest_gap(const Vec<D>& normal, Gap<D> gap, double fine, double wide, At
         if (right.slope.dot(across) >= 0) {
             n = (from + high * across).normalized();
             gap = at(n);
+            if (gap.width > best && direction) *direction = n;
             best = std::max(best, gap.width);
             continue;
         }
@@ -61,8 +64,9 @@ double widest_gap(const Vec<D>& normal, Gap<D> gap, double fine, double wide, At
             if (width > best) {
                 best = width;
                 n = (from + turned * across).normalized();
+                if (direction) *direction = n;
             }
-            if (bound < 0 || best > wide || middle.width > bound - fine) break;
+            if ((bound < 0 && !direction) || best > wide || middle.width > bound - fine) break;
             if (middle.slope.dot(across) > 0) {
                 low = turned;
                 left = middle;
@@ -71,7 +75,7 @@ double widest_gap(const Vec<D>& normal, Gap<D> gap, double fine, double wide, At
                 right = middle;
             }
         }
-        if (bound < 0 && D == 2) break;
+        if (bound < 0 && D == 2 && !direction) break;
         if (line + 1 < lines) gap = at(n);
     }
     return best;
