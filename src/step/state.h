@@ -29,7 +29,7 @@ struct NodeArrays {
     std::vector<Pack> delta_velocity; ///< - | Δv^α of the first contact pass (Effects::delta_velocity)
     /// - | XPIC: m_k^-1 p^α; FMPM: v^α+ = m_k^-1 p^α+, which moves and deforms the particles (Effects::extra_orders)
     std::vector<Pack> filtered;
-    std::vector<Pack> deforming;  ///< - | `filtered`, but lumped where bodies touch (Effects::contact_strain)
+    std::vector<Pack> deforming;  ///< - | `filtered`, but lumped where lumped bodies touch (Effects::contact_strain)
     std::vector<Pack> round_trip; ///< - | m S+ S applied to `filtered` (Effects::extra_orders)
 };
 

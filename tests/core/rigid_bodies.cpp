@@ -181,7 +181,7 @@ TEST(RigidBodies, WorkInThreeDimensions) {
     const Vector v = body_totals(state)[1].mean_velocity();
     EXPECT_GT(v[2], 0.3);
     EXPECT_LT(v[2], 0.9) << "between keeping up and bouncing off";
-    EXPECT_NEAR(v[0], 0, 1e-12);
+    EXPECT_NEAR(v[0], 0, 1e-7); // the search for the widest gap is not symmetric to round-off
 }
 
 } // namespace
