@@ -24,10 +24,10 @@ struct Effects {
     bool fmpm = false;           ///< grid velocities by the full mass matrix, order 2 and more
     bool contact_strain = false; ///< FMPM with contact: at nodes of lumped bodies particles deform by other velocities
                                  ///< than they move by
-    bool periodic = false;      ///< FLIP steps between those of the scheme
-    bool stress_first = false;  ///< USF, USAVG: stress is updated between the extrapolations
-    bool stress_last = false;   ///< USL, USAVG: stress is updated at the end of the step
-    bool reextrapolate = false; ///< USL+, USAVG+: the last stress update uses velocities extrapolated anew
+    bool periodic = false;       ///< FLIP steps between those of the scheme
+    bool stress_first = false;   ///< USF, USAVG: stress is updated between the extrapolations
+    bool stress_last = false;    ///< USL, USAVG: stress is updated at the end of the step
+    bool reextrapolate = false;  ///< USL+, USAVG+: the last stress update uses velocities extrapolated anew
     bool gravity = false;
     bool velocity_conditions = false; ///< walls, velocities of nodes, the axis of axisymmetric scenes
     bool tractions = false;
