@@ -21,14 +21,21 @@ Outcome outcome(int threads, ShapeKind shape, const ContactSpec& spec) {
     scene.gravity = {0, -0.02, 0};
     scene.contact = spec;
     add_wall(scene, "floor", 1, Side::lower, -2.2, 0, false);
+    RigidSpec turning; // meets the disks from below
+    turning.velocity[1] = 0.2;
+    turning.angular_velocity = 0.3;
+    scene.bodies.emplace_back().rigid = turning;
     Model model;
+    model.bodies.push_back({"ram", -1, {}, turning});
+    add_box(model, 0, -0.5, -1.9, 0.5, -1.5, 8, 4);
     add_disk(model, add_body(model, "left", {0.3, 0, 0}), -1.2, -0.3, 1, 0.125);
     add_disk(model, add_body(model, "right", {-0.3, 0, 0}), 1.2, 0.2, 1, 0.125);
     add_disk(model, add_body(model, "third", {0, -0.4, 0}), 0.1, 1.7, 0.7, 0.125);
     State<2> state = make_state<2>(scene, model);
     Outcome result;
     run(state, 3, [&] {
-        if (state.step % 5 == 0) result.history.push_back(history_row(state, totals(state), 0.1));
+        if (state.step % 5 == 0)
+            result.history.push_back(history_row(state, deformable_totals(state, body_totals(state)), 0.1));
     });
     result.particles = state.particles;
     omp_set_num_threads(1);
@@ -48,8 +55,16 @@ TEST(Threads, OneTwoAndThreeGiveTheSameBits) {
     ContactSpec gradient = regression;
     gradient.normal = NormalMethod::average_gradient;
     gradient.separation = SeparationMethod::fitted_position;
+    ContactSpec bonds = regression; // areas
+    bonds.three_or_more = ThreeOrMore::up_to_two;
+    bonds.law.type = LawType::adhesion;
+    bonds.law.strength = bonds.law.shear_strength = 0.05;
+    ContactSpec springs = regression; // areas and displacements
+    springs.law.type = LawType::bilinear_interface;
+    springs.law.tension_stiffness = springs.law.tangential_stiffness = 0.5;
+    springs.law.compression_stiffness = 2;
     for (const ShapeKind shape : {ShapeKind::cpdi, ShapeKind::ugimp})
-        for (const ContactSpec& spec : {regression, gradient}) {
+        for (const ContactSpec& spec : {regression, gradient, bonds, springs}) {
             const Outcome one = outcome(1, shape, spec);
             ASSERT_GT(one.history.size(), 10u);
             EXPECT_NE(one.history.back()[7], 0) << "contact works";
