@@ -21,25 +21,42 @@ Gap<D> gap_of(const Particles<D>& particles, const Edges& edges, const Vec<D>& n
     return {edges.b - edges.a, place(edges.first_b, -n) - place(edges.last_a, n)};
 }
 
-/// The gap of a point's particles along a vector of any length (contact paper Eq. 22-24), times that length.
+/// A particle of a point's cloud and where it ends towards the other body along the normal, from the node [m].
+struct EdgeParticle {
+    std::int32_t p;
+    bool side_a;
+    double end;
+};
+using EdgeParticles = std::vector<EdgeParticle>;
+
+/// Keeps the particles that may end nearest to the other body along a vector that is turned by at most a tangent from
+/// the normal. Turned by a tangent t, a particle's end moves by t |x| at most and its own extent changes by t |B|, B
+/// the ellipsoid's half axes.
 template <int D>
-Gap<D> gap_along(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, const ContactPoint<D>& point,
-                 const Vec<D>& n) {
-    const Particles<D>& particles = state.particles;
-    const Vec<D> node = state.grid.node_position(group.node);
+void keep_candidates(const Particles<D>& particles, const Edges& edges, double turn, EdgeParticles& all) {
+    const auto extent = [&](std::int32_t p) {
+        return particles.deformation_gradient[p].norm() * particles.half_size[p].maxCoeff();
+    };
+    const double extent_a = extent(edges.last_a);
+    const double extent_b = extent(edges.first_b);
+    std::erase_if(all, [&](const EdgeParticle& q) {
+        const std::int32_t nearest = q.side_a ? edges.last_a : edges.first_b;
+        const double reach = turn * ((particles.position[q.p] - particles.position[nearest]).norm() + extent(q.p) +
+                                     (q.side_a ? extent_a : extent_b));
+        return q.side_a ? q.end < edges.a - reach : q.end > edges.b + reach;
+    });
+}
+
+/// The gap of particles along a vector of any length (contact paper Eq. 22-24), times that length.
+template <int D>
+Gap<D> gap_along(const Particles<D>& particles, const Vec<D>& node, const EdgeParticles& candidates, const Vec<D>& n) {
     Edges edges;
-    for (const std::int32_t p : particles_of_group(state.contact, g))
-        if (takes_part(point, particles.body[p]))
-            edges.add(particles.body[p] == point.body_a, (particles.position[p] - node).dot(n),
-                      edge_distance<D>(particles.deformation_gradient[p], particles.half_size[p], n), p);
+    for (const EdgeParticle& q : candidates)
+        edges.add(q.side_a, (particles.position[q.p] - node).dot(n),
+                  edge_distance<D>(particles.deformation_gradient[q.p], particles.half_size[q.p], n), q.p);
     return gap_of(particles, edges, n);
 }
 
-/// Separation of the edges of the particles nearest to the other class (contact paper Eq. 22-24), and the overlap close
-/// to the node. The cloud reaches up to two cells to the sides; where the interface is curved its outermost particles
-/// make the separation negative though nothing overlaps. The overlap therefore counts only particles whose centres lie
-/// within half a cell of the line through the node along n, and what is left of the curvature, of the steps in a
-/// body's edge and of the inscribed ellipses is covered by a tenth of a cell.
 /// How body a, or b, moves to a rigid body at the node when it moves with it at their interface. A rigid body gives its
 /// velocity to whatever touches it, and nodes inside the other body, half a cell from the interface, would become rigid
 /// too: the layer there would not deform. So the velocity holds at the interface, and changes from there by the other
@@ -67,8 +84,14 @@ double rigid_edge(const State<D>& state, const ContactGroup<D>& group, std::ptrd
     return point.rigid_a ? -gradient * edge : gradient * edge;
 }
 
+/// Separation of the edges of the particles nearest to the other class (contact paper Eq. 22-24), and the overlap close
+/// to the node. The cloud reaches up to two cells to the sides; where the interface is curved its outermost particles
+/// make the separation negative though nothing overlaps. The overlap therefore counts only particles whose centres lie
+/// within half a cell of the line through the node along n, and what is left of the curvature, of the steps in a
+/// body's edge and of the inscribed ellipses is covered by a tenth of a cell.
 template <int D>
-void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point) {
+void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point,
+              EdgeParticles& cloud) {
     constexpr double half_width = 0.5; // [cells]
     constexpr double tolerance = 0.1;  // [cells]
     const Particles<D>& particles = state.particles;
@@ -76,18 +99,19 @@ void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_
     const Vec<D> node = state.grid.node_position(group.node);
     Edges all;
     Edges near;
-    point.cloud_size = 0;
+    cloud.clear();
     for (const std::int32_t p : particles_of_group(state.contact, g)) {
         if (!takes_part(point, particles.body[p])) continue;
-        ++point.cloud_size;
         const Vec<D> x = particles.position[p] - node;
         const double along = x.dot(point.normal);
         const double R = edge_distance<D>(particles.deformation_gradient[p], particles.half_size[p], point.normal);
         const bool side_a = particles.body[p] == point.body_a;
         all.add(side_a, along, R, p);
+        cloud.push_back({p, side_a, side_a ? along + R : along - R});
         if ((x - along * point.normal).squaredNorm() < half_width * half_width * length * length)
             near.add(side_a, along, R, p);
     }
+    point.cloud_size = static_cast<std::int32_t>(cloud.size());
     point.separation = all.b - all.a;
     // A slightly tilted normal makes bodies touch early: look whether there is a gap along one close by.
     const double closest = -0.06 * length;
@@ -95,11 +119,12 @@ void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_
     if (closest < point.separation && point.separation < farthest) {
         // That is also the better normal, the one that logistic regression tends to: where the cloud has a column more
         // on one side, the regression's is tilted by half a degree, which brakes sliding by 1 % of the pressure.
+        keep_candidates(particles, all, most_turned<D>, cloud);
         Vec<D>* const direction = state.effects.regression ? &point.normal : nullptr;
         const Vec<D> normal = point.normal;
         point.separation = widest_gap<D>(
             normal, gap_of(particles, all, normal), 1e-3 * length, 0.05 * length,
-            [&](const Vec<D>& n) { return gap_along(state, group, g, point, n); }, direction);
+            [&](const Vec<D>& n) { return gap_along(particles, node, cloud, n); }, direction);
     }
     point.overlap = std::max(0.0, near.a - near.b - tolerance * length);
     const bool rigid = point.rigid_a || point.rigid_b;
@@ -148,7 +173,8 @@ double by_displacements(const State<D>& state, const ContactGroup<D>& group, con
 }
 
 template <int D>
-void find_separation(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point) {
+void find_separation(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point,
+                     EdgeParticles& cloud) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (point.normal.isZero()) {
         point.separation = infinity; // no plane: no contact
@@ -156,7 +182,7 @@ void find_separation(const State<D>& state, const ContactGroup<D>& group, std::p
     }
     switch (state.scene.contact->separation) {
     case SeparationMethod::particle_edges:
-        by_edges(state, group, g, point);
+        by_edges(state, group, g, point, cloud);
         break;
     case SeparationMethod::critical_position:
     case SeparationMethod::fitted_position:
@@ -177,10 +203,14 @@ template <int D>
 void find_separations(State<D>& state) {
     Contact<D>& contact = state.contact;
     const auto n = static_cast<std::ptrdiff_t>(contact.groups.size());
-#pragma omp parallel for schedule(dynamic, 64)
-    for (std::ptrdiff_t g = 0; g < n; ++g)
-        for_each_point(contact, contact.groups[g],
-                       [&](ContactPoint<D>& point) { find_separation(state, contact.groups[g], g, point); });
+#pragma omp parallel
+    {
+        EdgeParticles cloud;
+#pragma omp for schedule(dynamic, 64)
+        for (std::ptrdiff_t g = 0; g < n; ++g)
+            for_each_point(contact, contact.groups[g],
+                           [&](ContactPoint<D>& point) { find_separation(state, contact.groups[g], g, point, cloud); });
+    }
 }
 
 template void find_separations<2>(State<2>&);

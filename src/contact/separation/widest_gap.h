@@ -13,6 +13,13 @@ struct Gap {
     Vec<D> slope = Vec<D>::Zero();
 };
 
+inline constexpr double largest_turn = 0.1; // tangent, of one turn
+template <int D>
+inline constexpr int turns = D == 2 ? 1 : 3;
+/// How far from the normal the search may come, as a tangent: turns one after the other.
+template <int D>
+inline constexpr double most_turned = D == 2 ? largest_turn : 0.34;
+
 /// The largest separation over planes that are turned a little from a normal.
 ///
 /// The separation along any n is at most the distance of the bodies' convex hulls, which it equals for the one n that
@@ -29,8 +36,8 @@ struct Gap {
 ///   where bodies overlap for certain
 template <int D, class At>
 double widest_gap(const Vec<D>& normal, Gap<D> gap, double fine, double wide, At&& at, Vec<D>* direction = nullptr) {
-    constexpr double turn = 0.1; // largest, tangent
-    constexpr int lines = D == 2 ? 1 : 3;
+    constexpr double turn = largest_turn;
+    constexpr int lines = turns<D>;
     constexpr int cuts = 6;
     Vec<D> n = normal;
     double best = gap.width;
