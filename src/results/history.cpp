@@ -99,8 +99,8 @@ std::vector<std::string> history_columns(const State<D>& state) {
         add_vector("force_" + body.name);
         add_vector("torque_" + body.name);
     }
-    if (state.effects.contact) columns.push_back("friction_work");
-    if (state.effects.interfaces) columns.push_back("interface_energy");
+    if (state.effects.contact) columns.emplace_back("friction_work");
+    if (state.effects.interfaces) columns.emplace_back("interface_energy");
     return columns;
 }
 
