@@ -115,7 +115,7 @@ namespace {
 
 /// FMPM with contact. Impulses of contact go through the full mass matrix with the forces that they balance. But:
 /// * Where bodies meet, an impulse that stops the lumped masses of a few nodes would come out of the full mass matrix k
-///   times as large and throw the edges back: energy from nowhere (two blocks gained 18 % in the step in which they
+///   times as large and throw the edges back: energy from nowhere (two blocks gained 18 % just after they
 ///   met, FMPM(8)). So what stops an approach is added after the filter, as it is.
 /// * Behind the filter bodies don't keep out of each other any more. As with walls ("combined" conditions, FMPM paper
 ///   §2.4) they are made to again, with momentum kept pair by pair. Particles then move and deform alike, and don't
