@@ -80,11 +80,11 @@ private:
 } // namespace
 
 std::array<double, 2> pixel_size(const ImageSpec& spec, int width, int height) {
-    if (spec.pixel[0] > 0 && spec.pixel[1] > 0) return spec.pixel;
+    if (spec.pixel[0] > 0 && spec.pixel[1] > 0) return {spec.pixel[0], spec.pixel[1]};
     return {spec.size[0] / width, spec.size[1] / height};
 }
 
-ImageParticles image_particles(const ImageSpec& spec, const LabelledImage& image, const GridSpec& grid) {
+ImageParticles image_particles(const ImageSpec& spec, const LabelledPicture& image, const GridSpec& grid) {
     const Vector cell = effective_cell(grid);
     const std::array<int, 3> cells = cell_counts(grid);
     const std::array<double, 2> pixel = pixel_size(spec, image.width, image.height);
@@ -101,7 +101,7 @@ ImageParticles image_particles(const ImageSpec& spec, const LabelledImage& image
         for (std::size_t i = 0; i < x.span.size(); ++i) {
             for (std::size_t l = 0; l < y.span[j].share.size(); ++l) {
                 const int from_below = y.span[j].first_pixel + static_cast<int>(l);
-                const int row = spec.top_row_is_top ? image.height - 1 - from_below : from_below;
+                const int row = spec.first_row_is_up ? image.height - 1 - from_below : from_below;
                 const int* label = &image.label[static_cast<std::size_t>(row) * image.width + x.span[i].first_pixel];
                 for (std::size_t k = 0; k < x.span[i].share.size(); ++k)
                     areas.add(label[k], x.span[i].share[k] * y.span[j].share[l]);

@@ -1,8 +1,8 @@
 #include "geometry/image_parts.h"
 
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 #include "geometry/image_particles.h"
-#include "geometry/legend.h"
+#include "geometry/labels/legend.h"
 #include "grid/effective_cell.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<char, 2> axis_name{'x', 'y'};
 
-void check_legend_covers(const LabelledImage& image, const std::string& pointer, std::vector<Problem>& problems) {
+void check_legend_covers(const LabelledPicture& image, const std::string& pointer, std::vector<Problem>& problems) {
     if (image.unmatched.empty()) return;
     constexpr std::size_t named = 8;
     std::vector<std::string> names;
@@ -47,7 +47,7 @@ void check_inside_grid(const ImageSpec& spec, const Image& image, const GridSpec
 }
 
 /// Whether the body's colours (those of all the entries that name it) are absent, or cover too little.
-std::string why_no_particles(const std::string& body, const ImageSpec& spec, const LabelledImage& image,
+std::string why_no_particles(const std::string& body, const ImageSpec& spec, const LabelledPicture& image,
                              const Vector& half_size) {
     std::vector<std::string> colours;
     std::int64_t pixels = 0;
@@ -101,7 +101,7 @@ std::vector<Part> image_parts(const ImageSpec& spec, const GridSpec& grid, const
         return {};
     }
     check_inside_grid(spec, image, grid, pointer, problems);
-    const LabelledImage labelled = label_pixels(image, spec.legend);
+    const LabelledPicture labelled = label_pixels(image, spec.legend);
     check_legend_covers(labelled, pointer, problems);
 
     ImageParticles particles = image_particles(spec, labelled, grid);

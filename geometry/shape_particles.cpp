@@ -110,6 +110,11 @@ ShapeParticles fill(const Ball& ball, const Lattice& lattice) {
     });
 }
 
+template <class Other>
+ShapeParticles fill(const Other&, const Lattice&) {
+    return {};
+}
+
 } // namespace
 
 bool exists_in(const ShapeSpec& shape, int dimension) {

@@ -108,7 +108,7 @@ ImageSpec bind_image(const Json& json) {
     copy_per_axis(json, "pixel", image.pixel, 2);
     copy_components(json, "size", image.size);
     copy_components(json, "lower", image.lower);
-    copy_word(json, "top_row", top_row_words, image.top_row_is_top);
+    copy_word(json, "top_row", top_row_words, image.first_row_is_up);
     copy(json, "particles_per_cell", image.particles_per_cell);
     copy_list(json, "legend", image.legend, bind_legend_entry);
     return image;

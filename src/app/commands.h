@@ -3,7 +3,7 @@
 /// The subcommands of the program. Each returns the exit code, and throws for what it cannot do: SceneError and
 /// UsageError mean exit code 2, everything else 1.
 
-#include "geometry/draw_ellipses.h"
+#include "geometry/packing/draw_ellipses.h"
 #include "io/render/render_series.h"
 
 #include <filesystem>

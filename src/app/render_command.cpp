@@ -1,5 +1,5 @@
 #include "app/commands.h"
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 #include "io/scene/read_scene.h"
 
 #include <fmt/format.h>

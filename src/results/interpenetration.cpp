@@ -9,7 +9,7 @@ namespace abut {
 namespace {
 
 /// A convex polygon, counter-clockwise; clipping a quadrilateral by four lines leaves at most eight corners.
-struct Polygon {
+struct ConvexPolygon {
     int size = 0;
     Vec<2> corner[12];
     void add(const Vec<2>& x) { corner[size++] = x; }
@@ -19,18 +19,18 @@ double cross(const Vec<2>& a, const Vec<2>& b) {
     return a[0] * b[1] - a[1] * b[0];
 }
 
-double area(const Polygon& polygon) {
+double area(const ConvexPolygon& polygon) {
     double sum = 0;
     for (int i = 1; i + 1 < polygon.size; ++i)
         sum += cross(polygon.corner[i] - polygon.corner[0], polygon.corner[i + 1] - polygon.corner[0]);
     return 0.5 * sum;
 }
 
-Polygon domain_of(const Particles<2>& particles, std::size_t p) {
+ConvexPolygon domain_of(const Particles<2>& particles, std::size_t p) {
     const Vec<2>& x = particles.position[p];
     const Vec<2> r1 = particles.deformation_gradient[p].col(0) * particles.half_size[p][0];
     const Vec<2> r2 = particles.deformation_gradient[p].col(1) * particles.half_size[p][1];
-    Polygon polygon;
+    ConvexPolygon polygon;
     polygon.add(x - r1 - r2);
     polygon.add(x + r1 - r2);
     polygon.add(x + r1 + r2);
@@ -39,8 +39,8 @@ Polygon domain_of(const Particles<2>& particles, std::size_t p) {
 }
 
 /// The part of a polygon left of the line from a to b (Sutherland and Hodgman).
-Polygon clip(const Polygon& polygon, const Vec<2>& a, const Vec<2>& b) {
-    Polygon result;
+ConvexPolygon clip(const ConvexPolygon& polygon, const Vec<2>& a, const Vec<2>& b) {
+    ConvexPolygon result;
     for (int i = 0; i < polygon.size; ++i) {
         const Vec<2>& from = polygon.corner[i];
         const Vec<2>& to = polygon.corner[(i + 1) % polygon.size];
@@ -53,8 +53,8 @@ Polygon clip(const Polygon& polygon, const Vec<2>& a, const Vec<2>& b) {
     return result;
 }
 
-double common_area(const Polygon& p, const Polygon& q) {
-    Polygon rest = p;
+double common_area(const ConvexPolygon& p, const ConvexPolygon& q) {
+    ConvexPolygon rest = p;
     for (int i = 0; i < 4 && rest.size > 2; ++i) rest = clip(rest, q.corner[i], q.corner[(i + 1) % 4]);
     return rest.size > 2 ? area(rest) : 0;
 }
@@ -66,7 +66,7 @@ struct Box2 {
     }
 };
 
-Box2 box_of(const Polygon& polygon) {
+Box2 box_of(const ConvexPolygon& polygon) {
     Box2 box{polygon.corner[0], polygon.corner[0]};
     for (int i = 1; i < polygon.size; ++i) {
         box.lower = box.lower.cwiseMin(polygon.corner[i]);
@@ -80,7 +80,7 @@ Box2 box_of(const Polygon& polygon) {
 Interpenetration interpenetration(const Particles<2>& particles) {
     Interpenetration result;
     const std::size_t n = particles.size();
-    std::vector<Polygon> domains;
+    std::vector<ConvexPolygon> domains;
     std::vector<Box2> boxes;
     for (std::size_t p = 0; p < n; ++p) {
         domains.push_back(domain_of(particles, p));

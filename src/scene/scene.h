@@ -129,7 +129,82 @@ struct Ball {
     Vector center{};   ///< [m]
     double radius = 0; ///< [m]
 };
-using ShapeSpec = std::variant<Box, Disk, Ellipse, Ball>;
+/// What lies between two circles.
+struct Ring {
+    Vector center{};         ///< [m]
+    double inner_radius = 0; ///< [m]
+    double outer_radius = 0; ///< [m]
+};
+using PlanePoint = std::array<double, 2>;
+/// An outline and the outlines of holes in it, each closed from its last point to its first, in any direction.
+struct Polygon {
+    std::vector<PlanePoint> points;             ///< [m]
+    std::vector<std::vector<PlanePoint>> holes; ///< [m]
+};
+/// How the coordinates of a file become those of the scene: scaled, then turned about the file's origin, then moved.
+struct Placement {
+    double scale = 1;       ///< what one unit of the file is [m]
+    Vector axis{0, 0, 1};   ///< of the turn, of any length but 0; z in plane scenes
+    double angle = 0;       ///< counter-clockwise seen against `axis` [rad]
+    Vector translation{};   ///< [m]
+};
+/// Outlines from a CSV file of points or from the paths of an SVG file; those inside others are holes (even-odd).
+struct Path {
+    std::filesystem::path file;
+    Placement placement;
+};
+struct Ellipsoid {
+    Vector center{};      ///< [m]
+    Vector semi_axes{};   ///< before it is turned [m]
+    Vector axis{0, 0, 1}; ///< of the turn about its centre, of any length but 0
+    double angle = 0;     ///< [rad]
+};
+struct Cylinder {
+    Vector from{}, to{}; ///< centres of its ends [m]
+    double radius = 0;   ///< [m]
+};
+struct Cone {
+    Vector from{}, to{};   ///< centres of its ends [m]
+    double radius = 0;     ///< at `from` [m]
+    double top_radius = 0; ///< at `to`; 0: it ends in a point [m]
+};
+/// A closed surface of triangles from an STL, OFF, PLY or OBJ file.
+struct Surface {
+    std::filesystem::path file;
+    Placement placement;
+    bool repair = false; ///< close holes, turn faces outwards, remove what crosses itself; else such surfaces are refused
+};
+/// Where an expression in x, y, z is negative.
+struct Implicit {
+    std::string expression;
+    double unit = 1;         ///< length that is 1 in the expression [m]
+    Vector lower{}, upper{}; ///< box that holds it [m]
+};
+enum class Operation { union_, difference, intersection };
+/// Shapes of Scene::shapes, by name; a difference is the first without all others.
+struct Combination {
+    Operation operation = Operation::union_;
+    std::vector<std::string> shapes;
+};
+/// A shape of Scene::shapes.
+struct NamedShape {
+    std::string name;
+};
+using ShapeSpec = std::variant<Box, Disk, Ellipse, Ball, Ring, Polygon, Path, Ellipsoid, Cylinder, Cone, Surface,
+                               Implicit, Combination, NamedShape>;
+
+/// Which places of the particle lattice a body takes, and what its particles there are.
+enum class Fill {
+    centre,          ///< (shapes) places whose centre lies inside: whole particles
+    majority,        ///< (images) places of which it covers the largest share: whole particles
+    covered_fraction ///< every place it covers in part; particles there have the area and centre of what is covered
+};
+
+/// Where the lattice of a shape's particles begins.
+enum class Arrangement {
+    grid,  ///< at the grid's lower corner: the same for all bodies
+    fitted ///< at the shape's own lower corner, its particles a little larger or smaller so that they end at its upper one
+};
 
 /// Velocities v0 + L (x - x0) of a body's particles at time 0.
 struct InitialVelocity {
@@ -143,6 +218,15 @@ struct InitialVelocity {
         return v;
     }
     bool operator==(const InitialVelocity&) const = default;
+};
+
+/// What a body has at time 0 besides its place and its velocity. What is not given is neither stored nor computed.
+struct InitialState {
+    Vector angular_velocity{};              ///< adds a rotation about the body's centre of mass [rad/s]
+    std::optional<double> temperature;      ///< [K]
+    std::optional<std::array<double, 6>> stress; ///< Cauchy, xx yy zz xy yz xz [Pa]
+    std::optional<double> orientation;      ///< angle of the material's axes, counter-clockwise from x [rad]
+    bool operator==(const InitialState&) const = default;
 };
 
 /// Prescribed motion of a body that does not deform and that no force moves (notes 4.2.4).
@@ -161,28 +245,74 @@ struct BodySpec {
     ShapeSpec shape;
     InitialVelocity velocity;
     int particles_per_cell = 2; ///< per axis
+    Fill fill = Fill::centre;
+    std::optional<Arrangement> arrangement; ///< not given: fitted for boxes, grid for all others
+    InitialState state;
 };
 
-/// One colour of an image and what it stands for.
+/// A shape that bodies and other shapes use by its name.
+struct NamedShapeSpec {
+    std::string name;
+    ShapeSpec shape;
+};
+
+/// One colour of an image, or a range of greys, and what it stands for.
 struct LegendEntry {
-    std::array<int, 3> rgb{}; ///< 0..255; equal components when the scene gave "grey"
+    std::array<int, 3> rgb{}; ///< 0..255, or 0..65535 in images of 16 bits; equal components when the scene gave "grey"
     bool grey = false;        ///< how the scene named the colour (for messages)
-    int tolerance = 0;        ///< largest difference per channel that still matches
-    bool is_void = false;     ///< no material; the members below are then unused
-    std::string body;
+    std::optional<std::array<int, 2>> grey_range; ///< instead of a colour: lowest and highest grey, both included
+    int tolerance = 0;                            ///< largest difference per channel that still matches
+    bool is_void = false;                         ///< no material; the members below are then unused
+    std::string body;     ///< name of the body, or what the names of its bodies begin with (see BodiesBy)
     std::string material; ///< empty if the body is rigid
     std::optional<RigidSpec> rigid;
     Vector velocity{};
+    InitialState state;
 };
 
+/// What is one body in an image.
+enum class BodiesBy {
+    legend,   ///< all that has the same `body` in the legend
+    colour,   ///< each colour (of those that the entry matches): body-017, body-d04020
+    component ///< each connected component of an entry: body-001, body-002, …
+};
+
+/// An image of the same size and place as the bodies' image, whose greys are values of a quantity.
+struct ValueImage {
+    std::filesystem::path file;
+    double black = 0, white = 0; ///< values at the lowest and the highest grey; linear between [SI]
+};
+
+/// A picture, or a stack of pictures.
 struct ImageSpec {
-    std::filesystem::path file;    ///< as written; relative paths are relative to the scene file
-    std::array<double, 2> pixel{}; ///< physical size of a pixel [m]; or zero if `size` is given
-    std::array<double, 2> size{};  ///< physical size of the whole image [m]; or zero if `pixel` is given
-    Vector lower{};                ///< where the image's lower left corner lies [m]
-    bool top_row_is_top = true;    ///< false: the image's first row is the bottom of the box
-    int particles_per_cell = 2;    ///< per axis
+    std::filesystem::path file;     ///< as written; relative paths are relative to the scene file. One "*" in the name
+                                    ///< stands for the number of a slice: a stack of numbered files
+    std::array<double, 3> pixel{};  ///< size of a pixel along the axes of the scene [m]; or zero (`size`, or the file's own)
+    std::array<double, 3> size{};   ///< size of the whole image along the axes of the scene [m]; or zero
+    Vector lower{};                 ///< where the image's lower corner lies [m]
+    bool first_row_is_up = true;    ///< false: the image's first row is the bottom of the box
+    std::optional<int> slice;       ///< plane scenes: which slice of a stack, from 0
+    /// First and last column, row (from the first in the file) and slice that are used, from 0; both included.
+    std::optional<std::array<std::array<int, 2>, 3>> crop;
+    std::array<bool, 3> flip{};     ///< mirrored along these axes of the file (columns, rows, slices), after the crop
+    int quarter_turns = 0;          ///< counter-clockwise, after the flip; 0..3
+    int turn_axis = 2;              ///< about which axis
+    BodiesBy bodies = BodiesBy::legend;
+    int connectivity = 0;           ///< of components: 4 or 8 in the plane, 6, 18 or 26 in 3D; 0: 4 or 6
+    int speckle = 0;                ///< components of fewer pixels go to what surrounds them
+    std::optional<double> split;    ///< components that touch at necks are divided there; depth of a neck [pixels]
+    Fill fill = Fill::majority;
+    int particles_per_cell = 2;     ///< per axis
     std::vector<LegendEntry> legend;
+    std::optional<ValueImage> temperature;
+    std::optional<ValueImage> orientation;
+};
+
+/// What happens where bodies claim the same place.
+enum class Overlap {
+    refuse, ///< an error
+    first,  ///< it stays with the one that comes first: bodies in their order, then images
+    last    ///< it goes to the one that comes last
 };
 
 // === Contact
@@ -323,8 +453,10 @@ struct Scene {
     TimeSpec time;
     MethodSpec method;
     std::vector<MaterialSpec> materials;
+    std::vector<NamedShapeSpec> shapes;
     std::vector<BodySpec> bodies;
     std::vector<ImageSpec> images;
+    Overlap overlap = Overlap::refuse;
     std::optional<ContactSpec> contact;
     std::vector<BoundarySpec> boundaries;
     Vector gravity{};

@@ -65,6 +65,9 @@ struct BodyCheck {
             check_around(center(box), turned_reach(half, box.angle), "/box");
     }
 
+    template <class Other>
+    void operator()(const Other&) const {}
+
     void operator()(const Ball& ball) const {
         if (scene.analysis != Analysis::three_d) {
             problems.push_back({pointer + "/ball", "only 3d scenes have balls; a disk is the shape for this one"});

@@ -1,7 +1,7 @@
 /// check, particles, draw-ellipses, render; the generated documents; the example.
 #include "app_support.h"
 
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 #include "io/results/read_frame.h"
 
 #include <algorithm>

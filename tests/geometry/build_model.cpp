@@ -1,7 +1,7 @@
 // Scenes to models: what comes out, and every way in which a scene can be wrong.
 #include "geometry/build_model.h"
 
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 #include "model_support.h"
 
 #include <gmock/gmock.h>

@@ -1,10 +1,10 @@
 // The picture of packed ellipses.
-#include "geometry/draw_ellipses.h"
+#include "geometry/packing/draw_ellipses.h"
 
 #include "geometry/build_model.h"
-#include "geometry/ellipse_contact.h"
-#include "geometry/random.h"
-#include "geometry/shades.h"
+#include "geometry/packing/ellipse_contact.h"
+#include "geometry/packing/random.h"
+#include "geometry/packing/shades.h"
 #include "support.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Pictures to particles: the legend, and the area-weighted majority against a brute-force oracle.
 #include "geometry/image_particles.h"
 
-#include "geometry/random.h"
+#include "geometry/packing/random.h"
 #include "grid/effective_cell.h"
 #include "support.h"
 
@@ -39,11 +39,11 @@ Places places_of(const ImageParticles& particles, const GridSpec& grid, int per_
 }
 
 /// Label of the picture at a point, 0 outside it.
-int label_at(const LabelledImage& image, const ImageSpec& spec, double x, double y) {
+int label_at(const LabelledPicture& image, const ImageSpec& spec, double x, double y) {
     const int column = static_cast<int>(std::floor((x - spec.lower[0]) / spec.pixel[0]));
     const int up = static_cast<int>(std::floor((y - spec.lower[1]) / spec.pixel[1]));
     if (column < 0 || up < 0 || column >= image.width || up >= image.height) return 0;
-    const int row = spec.top_row_is_top ? image.height - 1 - up : up;
+    const int row = spec.first_row_is_up ? image.height - 1 - up : up;
     return image.label[static_cast<std::size_t>(row) * image.width + column];
 }
 
@@ -62,7 +62,7 @@ GridSpec grid_of(Vector cell, Vector lower, Vector upper) {
 TEST(Legend, ExactAndWithinTolerance) {
     std::vector<LegendEntry> legend{grey(10, "a"), grey(20, "b"), grey(255, "")};
     legend[1].tolerance = 5;
-    const LabelledImage image = label_pixels(picture({{10, 25, 255}, {15, 11, 26}}), legend);
+    const LabelledPicture image = label_pixels(picture({{10, 25, 255}, {15, 11, 26}}), legend);
     EXPECT_THAT(image.bodies, ElementsAre("a", "b"));
     EXPECT_THAT(image.label, ElementsAre(1, 2, 0, 2, 0, 0));
     EXPECT_THAT(image.pixels_of_entry, ElementsAre(1, 2, 1));
@@ -81,20 +81,20 @@ TEST(Legend, ToleranceIsPerChannel) {
     red.rgb = {200, 40, 30};
     red.tolerance = 6;
     const Image image{3, 1, 3, {206, 34, 36, 207, 40, 30, 200, 40, 30}};
-    const LabelledImage labelled = label_pixels(image, {red});
+    const LabelledPicture labelled = label_pixels(image, {red});
     EXPECT_THAT(labelled.label, ElementsAre(1, 0, 1));
     EXPECT_EQ(colour_name(labelled.unmatched.at(0).rgb), "#cf281e");
 }
 
 TEST(Legend, SeveralColoursOfOneBodyShareItsLabel) {
-    const LabelledImage image =
+    const LabelledPicture image =
         label_pixels(picture({{1, 2, 3}}), {grey(3, "late"), grey(1, "early"), grey(2, "late")});
     EXPECT_THAT(image.bodies, ElementsAre("late", "early"));
     EXPECT_THAT(image.label, ElementsAre(2, 1, 1));
 }
 
 TEST(Legend, UnmatchedColoursComeMostFrequentFirst) {
-    const LabelledImage image = label_pixels(picture({{9, 9, 5, 7, 7, 7}}), {});
+    const LabelledPicture image = label_pixels(picture({{9, 9, 5, 7, 7, 7}}), {});
     ASSERT_EQ(image.unmatched.size(), 3u);
     EXPECT_EQ(image.unmatched[0].pixels, 3);
     EXPECT_EQ(image.unmatched[0].rgb[0], 7);
@@ -103,12 +103,12 @@ TEST(Legend, UnmatchedColoursComeMostFrequentFirst) {
 
 TEST(ImageParticles, TopRowIsTopUnlessToldOtherwise) {
     const GridSpec grid = grid_of({1, 1, 0}, {0, 0, 0}, {2, 2, 0});
-    const LabelledImage image = label_pixels(picture({{1, 0}, {0, 0}}), {grey(1, "a"), grey(0, "")});
+    const LabelledPicture image = label_pixels(picture({{1, 0}, {0, 0}}), {grey(1, "a"), grey(0, "")});
     ImageSpec spec;
     spec.pixel = {1, 1};
     spec.particles_per_cell = 1;
     EXPECT_THAT(image_particles(spec, image, grid).position.at(0), ElementsAre(Vector{0.5, 1.5, 0}));
-    spec.top_row_is_top = false;
+    spec.first_row_is_up = false;
     EXPECT_THAT(image_particles(spec, image, grid).position.at(0), ElementsAre(Vector{0.5, 0.5, 0}));
 }
 
@@ -167,7 +167,7 @@ TEST(ImageParticles, BeyondThePictureIsVoid) {
     spec.particles_per_cell = 1;
     spec.lower = {0.4, 0.4, 0};
     spec.pixel = {2.2, 2.2}; // to 2.6: the places 0 and 2 are covered by 0.6 each way, 0.36 in the corners
-    const LabelledImage image = label_pixels(picture({{1}}), {grey(1, "a")});
+    const LabelledPicture image = label_pixels(picture({{1}}), {grey(1, "a")});
     const Places places = places_of(image_particles(spec, image, grid), grid, 1);
     EXPECT_EQ(places.size(), 5u);
     EXPECT_TRUE(places.contains({1, 0}) && places.contains({0, 1}) && places.contains({1, 1}) &&
@@ -179,7 +179,7 @@ TEST(ImageParticles, PlacesBeyondTheGridAreLeftOut) {
     ImageSpec spec;
     spec.pixel = {10, 10};
     spec.lower = {-4, -4, 0};
-    const LabelledImage image = label_pixels(picture({{1}}), {grey(1, "a")});
+    const LabelledPicture image = label_pixels(picture({{1}}), {grey(1, "a")});
     EXPECT_EQ(image_particles(spec, image, grid).position[0].size(), 16u);
     spec.lower = {1e15, 0, 0};
     EXPECT_EQ(image_particles(spec, image, grid).position[0].size(), 0u);
@@ -197,10 +197,10 @@ TEST(ImageParticles, MajorityAgreesWithSupersampling) {
         const double ratio = std::exp(random.between(std::log(0.15), std::log(6.0)));
         spec.pixel = {ratio * random.between(0.5, 1.5), ratio * random.between(0.5, 1.5)};
         spec.lower = {grid.lower[0] + random.between(-2, 3), grid.lower[1] + random.between(-2, 3), 0};
-        spec.top_row_is_top = random.below(2) == 0;
+        spec.first_row_is_up = random.below(2) == 0;
         spec.particles_per_cell = per_cell;
         const Image image = random_picture(random, 1 + random.below(30), 1 + random.below(30), 4);
-        const LabelledImage labelled = label_pixels(image, {grey(0, ""), grey(1, "a"), grey(2, "b"), grey(3, "a")});
+        const LabelledPicture labelled = label_pixels(image, {grey(0, ""), grey(1, "a"), grey(2, "b"), grey(3, "a")});
         const ImageParticles particles = image_particles(spec, labelled, grid);
         const Places places = places_of(particles, grid, per_cell);
 
@@ -253,7 +253,7 @@ TEST(ImageParticles, WorkGrowsWithPixelsPlusParticles) {
         std::vector<LegendEntry> legend;
         legend.reserve(200);
         for (int k = 0; k < 200; ++k) legend.push_back(grey(k, fmt::format("b{}", k)));
-        const LabelledImage labelled = label_pixels(image, legend);
+        const LabelledPicture labelled = label_pixels(image, legend);
         const auto start = std::chrono::steady_clock::now();
         EXPECT_FALSE(image_particles(spec, labelled, grid).position.empty());
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,5 +1,5 @@
 // Bodies that claim the same place.
-#include "geometry/random.h"
+#include "geometry/packing/random.h"
 #include "geometry/shape_particles.h"
 #include "model_support.h"
 

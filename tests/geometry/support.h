@@ -1,7 +1,7 @@
 #pragma once
 /// Picture files made byte by byte, independently of the readers under test, and other help for the tests of this room.
 
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 #include "scene/problem.h"
 #include "scene/scene.h"
 

@@ -67,7 +67,7 @@ std::string describe(const Scene& s) {
             << b.particles_per_cell << '\n';
     for (const ImageSpec& i : s.images) {
         out << i.file << ' ' << i.pixel[0] << ' ' << i.pixel[1] << ' ' << i.size[0] << ' ' << i.size[1] << ' '
-            << i.lower << ' ' << i.top_row_is_top << i.particles_per_cell << '\n';
+            << i.lower << ' ' << i.first_row_is_up << i.particles_per_cell << '\n';
         for (const LegendEntry& e : i.legend)
             out << e.rgb[0] << ' ' << e.rgb[1] << ' ' << e.rgb[2] << ' ' << e.grey << e.tolerance << e.is_void << e.body
                 << ' ' << e.material << e.velocity << '\n';
@@ -126,7 +126,7 @@ TEST(ReadScene, ExampleOfTheContractContinued) {
     EXPECT_EQ(scene.images[0].file, disk.folder() / "bed.png");
     EXPECT_EQ(scene.images[0].pixel, (std::array{7.14e-6, 7.14e-6}));
     EXPECT_EQ(scene.images[0].size, (std::array{0.0, 0.0}));
-    EXPECT_TRUE(scene.images[0].top_row_is_top);
+    EXPECT_TRUE(scene.images[0].first_row_is_up);
     const std::vector<LegendEntry>& legend = scene.images[0].legend;
     EXPECT_TRUE(legend[0].grey);
     EXPECT_EQ(legend[0].rgb, (std::array{40, 40, 40}));
@@ -136,7 +136,7 @@ TEST(ReadScene, ExampleOfTheContractContinued) {
     EXPECT_TRUE(legend[2].is_void);
     EXPECT_EQ(scene.images[1].file, "/data/top.png");
     EXPECT_EQ(scene.images[1].size, (std::array{1e-3, 0.5e-3}));
-    EXPECT_FALSE(scene.images[1].top_row_is_top);
+    EXPECT_FALSE(scene.images[1].first_row_is_up);
 
     ASSERT_TRUE(scene.contact);
     EXPECT_EQ(scene.contact->separation, SeparationMethod::critical_position);

@@ -1,6 +1,6 @@
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 
-#include "geometry/image_formats.h"
+#include "geometry/images/formats.h"
 
 #include <fmt/format.h>
 
@@ -54,7 +54,7 @@ Image without_alpha(const Image& image) {
     opaque.pixels.reserve(count * opaque.channels);
     std::size_t transparent = 0;
     for (std::size_t pixel = 0; pixel < count; ++pixel) {
-        const std::uint8_t* channel = &image.pixels[pixel * image.channels];
+        const std::uint16_t* channel = &image.pixels[pixel * image.channels];
         opaque.pixels.insert(opaque.pixels.end(), channel, channel + opaque.channels);
         if (channel[opaque.channels] != 255) ++transparent;
     }

@@ -3,7 +3,7 @@
 /// Inside of read_image(): one reader per format. Each throws std::runtime_error with a message that continues the
 /// sentence `image "NAME" ...`, and returns 1 to 4 channels (2 and 4: the last one is alpha), top row first.
 
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // Through libtiff itself: VTK 9.1's reader returns some kinds of TIFF upside down and others (bilevel, CMYK, alpha)
 // wrong.
-#include "geometry/image_formats.h"
+#include "geometry/images/formats.h"
 
 #include <fmt/format.h>
 #include <tiffio.h>

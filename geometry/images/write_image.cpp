@@ -1,4 +1,4 @@
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 
 #include <fmt/format.h>
 #include <vtkBMPWriter.h>

@@ -2,7 +2,7 @@
 /// \file shades.h
 /// Shades for neighbouring bodies: a colouring of a graph.
 
-#include "geometry/random.h"
+#include "geometry/packing/random.h"
 
 #include <vector>
 

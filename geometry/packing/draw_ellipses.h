@@ -2,7 +2,7 @@
 /// \file draw_ellipses.h
 /// Pictures of densely packed ellipses, to make scenes from (command draw-ellipses).
 
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 #include "scene/scene.h"
 
 #include <cstdint>

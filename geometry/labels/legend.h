@@ -2,7 +2,7 @@
 /// \file legend.h
 /// What each pixel of a picture stands for.
 
-#include "geometry/image.h"
+#include "geometry/images/image.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -19,7 +19,7 @@ struct UnmatchedColour {
 };
 
 /// A picture in terms of its legend. Labels: 0 is void, k > 0 is bodies[k - 1].
-struct LabelledImage {
+struct LabelledPicture {
     int width = 0, height = 0;
     std::vector<std::string> bodies;           ///< in order of first appearance in the legend, each once
     std::vector<int> label;                    ///< per pixel, rows as in Image; 0 where no entry matches
@@ -29,7 +29,7 @@ struct LabelledImage {
 
 /// Gives every pixel the legend entry that matches: no channel differs by more than the entry's tolerance. Of several,
 /// the one with the smallest largest difference; of equals, the first.
-LabelledImage label_pixels(const Image& image, const std::vector<LegendEntry>& legend);
+LabelledPicture label_pixels(const Image& image, const std::vector<LegendEntry>& legend);
 
 /// A colour as users write it in a legend: "grey 17" or "#d04020".
 std::string colour_name(const std::array<int, 3>& rgb);

@@ -1,6 +1,6 @@
 // Our own: VTK 9.1's reader knows neither the headers that GIMP and ImageMagick write (versions 4 and 5) nor 1, 4 and
 // 32 bits, reads run-length compressed files as if they were not, and crashes on others.
-#include "geometry/image_formats.h"
+#include "geometry/images/formats.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/image_formats.h"
+#include "geometry/images/formats.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>

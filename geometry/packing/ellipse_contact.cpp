@@ -1,4 +1,4 @@
-#include "geometry/ellipse_contact.h"
+#include "geometry/packing/ellipse_contact.h"
 
 #include <algorithm>
 #include <cmath>

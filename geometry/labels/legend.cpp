@@ -1,4 +1,4 @@
-#include "geometry/legend.h"
+#include "geometry/labels/legend.h"
 
 #include <fmt/format.h>
 
@@ -45,8 +45,8 @@ std::vector<int> labels_of_entries(const std::vector<LegendEntry>& legend, std::
 
 } // namespace
 
-LabelledImage label_pixels(const Image& image, const std::vector<LegendEntry>& legend) {
-    LabelledImage result;
+LabelledPicture label_pixels(const Image& image, const std::vector<LegendEntry>& legend) {
+    LabelledPicture result;
     result.width = image.width;
     result.height = image.height;
     result.pixels_of_entry.assign(legend.size(), 0);

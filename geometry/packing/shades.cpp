@@ -1,4 +1,4 @@
-#include "geometry/shades.h"
+#include "geometry/packing/shades.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include "geometry/draw_ellipses.h"
+#include "geometry/packing/draw_ellipses.h"
 
-#include "geometry/ellipse_contact.h"
-#include "geometry/ellipse_packing.h"
-#include "geometry/random.h"
-#include "geometry/shades.h"
+#include "geometry/packing/ellipse_contact.h"
+#include "geometry/packing/ellipse_packing.h"
+#include "geometry/packing/random.h"
+#include "geometry/packing/shades.h"
 
 #include <fmt/format.h>
 

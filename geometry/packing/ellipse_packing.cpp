@@ -1,7 +1,7 @@
-#include "geometry/ellipse_packing.h"
+#include "geometry/packing/ellipse_packing.h"
 
-#include "geometry/ellipse_contact.h"
-#include "geometry/random.h"
+#include "geometry/packing/ellipse_contact.h"
+#include "geometry/packing/random.h"
 
 #include <fmt/format.h>
 
