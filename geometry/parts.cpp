@@ -22,15 +22,20 @@ public:
     explicit Bins(const std::vector<Part>& parts) {
         std::size_t count = 0;
         for (const Part& part : parts) {
-            count += part.position.size();
-            const Vector reach = turned_reach(part.half_size, part.angle);
-            for (std::size_t axis = 0; axis < 3; ++axis) width_[axis] = std::max(width_[axis], 2 * reach[axis]);
+            count += part.size();
+            for (const PlacedParticle& particle : part.particle) {
+                const Vector reach = turned_reach(particle.half_size, particle.angle);
+                for (std::size_t axis = 0; axis < 3; ++axis) width_[axis] = std::max(width_[axis], 2 * reach[axis]);
+            }
+            // Both particles of one place may lie anywhere in it.
+            for (std::size_t axis = 0; axis < part.lattice.dimension; ++axis)
+                width_[axis] = std::max(width_[axis], part.lattice.edge[axis]);
         }
         entries_.reserve(count);
         for (std::size_t part = 0; part < parts.size(); ++part)
-            for (std::size_t k = 0; k < parts[part].position.size(); ++k)
-                entries_.push_back(
-                    {bin(parts[part].position[k]), static_cast<std::uint32_t>(part), static_cast<std::uint32_t>(k)});
+            for (std::size_t k = 0; k < parts[part].size(); ++k)
+                entries_.push_back({bin(parts[part].particle[k].position), static_cast<std::uint32_t>(part),
+                                    static_cast<std::uint32_t>(k)});
         std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.bin < b.bin; });
     }
 
@@ -70,54 +75,133 @@ private:
     std::vector<Entry> entries_;
 };
 
-bool covers(const Part& part, std::size_t particle, const Vector& point) {
-    const Vector& x = part.position[particle];
+bool covers(const PlacedParticle& particle, const Vector& point) {
+    const Vector& x = particle.position;
     Vector offset{point[0] - x[0], point[1] - x[1], point[2] - x[2]};
-    if (part.angle != 0) offset = turned(offset, -part.angle); // along the particle's own edges
+    if (particle.angle != 0) offset = turned(offset, -particle.angle); // along the particle's own edges
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (part.half_size[axis] > 0 && // not z of plane particles
-            std::abs(offset[axis]) >= part.half_size[axis] * (1 - round_off))
+        if (particle.half_size[axis] > 0 && // not z of plane particles
+            std::abs(offset[axis]) >= particle.half_size[axis] * (1 - round_off))
             return false;
     return true;
 }
 
+/// Whether the places of two parts are those of one lattice.
+bool share_lattice(const Part& a, const Part& b) {
+    return a.lattice == b.lattice && a.turn == 0 && b.turn == 0;
+}
+
+bool claim_same(const Part& a, std::size_t k, const Part& b, std::size_t l) {
+    if (share_lattice(a, b)) {
+        constexpr double integration_error = 2e-3; // see places_by_fraction()
+        return a.place[k] == b.place[l] && a.fraction_of(k) + b.fraction_of(l) > 1 + integration_error;
+    }
+    return covers(a.particle[k], b.particle[l].position) || covers(b.particle[l], a.particle[k].position);
+}
+
+/// Keeps the particles for which keep[k] is not 0.
+template <class T>
+void keep_only(std::vector<T>& values, const std::vector<char>& keep) {
+    if (values.empty()) return;
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        if (keep[k]) values[next++] = values[k];
+    values.resize(next);
+}
+
 } // namespace
 
-void check_inside(const std::vector<Part>& parts, const GridSpec& grid, std::vector<Problem>& problems) {
-    for (const Part& part : parts) {
-        const auto is_outside = [&](const Vector& point) {
-            for (std::size_t axis = 0; axis < 3; ++axis) { // in two dimensions z is 0 everywhere
-                const double slack = round_off * (grid.upper[axis] - grid.lower[axis]);
-                if (point[axis] < grid.lower[axis] - slack || point[axis] > grid.upper[axis] + slack) return true;
-            }
-            return false;
-        };
-        const auto outside = std::count_if(part.position.begin(), part.position.end(), is_outside);
-        if (outside > 0)
-            problems.push_back(
-                {part.pointer, fmt::format("body \"{}\" lies partly outside the grid: {} of its {}", part.body_name,
-                                           outside, count_text(part.position.size(), "particle"))});
+void add_particles(Part& part, const std::vector<Covered>& places, bool turned) {
+    const bool whole =
+        std::all_of(places.begin(), places.end(), [](const Covered& covered) { return covered.fraction >= 1; });
+    for (const Covered& covered : places) {
+        part.place.push_back(covered.place);
+        if (!whole) part.fraction.push_back(covered.fraction);
+        part.particle.push_back(particle_of(covered, part.lattice, turned));
     }
 }
 
-void check_overlap(const std::vector<Part>& parts, std::vector<Problem>& problems) {
-    if (parts.size() < 2) return;
-    const Bins bins(parts);
-    // Per two parts (earlier, later): the particles of the later one that coincide with some of the earlier one.
-    std::map<std::pair<std::size_t, std::size_t>, std::set<std::size_t>> coinciding;
-    bins.for_each_close_pair([&](std::size_t part, std::size_t k, std::size_t other, std::size_t particle) {
-        if (covers(parts[other], particle, parts[part].position[k]))
-            coinciding[std::minmax(part, other)].insert(other > part ? particle : k);
-    });
-    for (const auto& [pair, particles] : coinciding) {
-        const Part& earlier = parts[pair.first];
-        const Part& later = parts[pair.second];
-        problems.push_back({later.pointer, fmt::format("body \"{}\" claims a place that body \"{}\" has already ({}): "
-                                                       "{} of its {} coincide{}",
-                                                       later.body_name, earlier.body_name, earlier.pointer,
-                                                       particles.size(), count_text(later.position.size(), "particle"),
-                                                       particles.size() == 1 ? "s" : "")});
+double content_of(const Part& part) {
+    double content = 0;
+    for (std::size_t k = 0; k < part.size(); ++k) content += part.fraction_of(k);
+    return content * part.lattice.content();
+}
+
+void check_inside(const std::vector<Part>& parts, const GridSpec& grid, std::vector<Problem>& problems) {
+    for (const Part& part : parts) {
+        const auto is_outside = [&](const PlacedParticle& particle) {
+            for (std::size_t axis = 0; axis < 3; ++axis) { // in two dimensions z is 0 everywhere
+                const double slack = round_off * (grid.upper[axis] - grid.lower[axis]);
+                const double x = particle.position[axis];
+                if (x < grid.lower[axis] - slack || x > grid.upper[axis] + slack) return true;
+            }
+            return false;
+        };
+        const auto outside = std::count_if(part.particle.begin(), part.particle.end(), is_outside);
+        if (outside > 0)
+            problems.push_back(
+                {part.pointer, fmt::format("body \"{}\" lies partly outside the grid: {} of its {}", part.body_name,
+                                           outside, count_text(part.size(), "particle"))});
     }
+}
+
+std::vector<Claim> find_claims(const std::vector<Part>& parts) {
+    if (parts.size() < 2) return {};
+    const Bins bins(parts);
+    std::map<std::pair<std::size_t, std::size_t>, std::set<std::size_t>> claims;
+    bins.for_each_close_pair([&](std::size_t part, std::size_t k, std::size_t other, std::size_t l) {
+        if (part < other && claim_same(parts[part], k, parts[other], l)) claims[{part, other}].insert(l);
+    });
+    std::vector<Claim> result;
+    for (const auto& [pair, particles] : claims)
+        result.push_back({pair.first, pair.second, {particles.begin(), particles.end()}});
+    return result;
+}
+
+void check_overlap(const std::vector<Part>& parts, std::vector<Problem>& problems) {
+    for (const Claim& claim : find_claims(parts)) {
+        const Part& earlier = parts[claim.earlier];
+        const Part& later = parts[claim.later];
+        problems.push_back(
+            {later.pointer, fmt::format("body \"{}\" claims a place that body \"{}\" has already ({}): "
+                                        "{} of its {} coincide{}",
+                                        later.body_name, earlier.body_name, earlier.pointer, claim.particles.size(),
+                                        count_text(later.size(), "particle"), claim.particles.size() == 1 ? "s" : "")});
+    }
+}
+
+std::vector<GivenUp> settle_overlap(std::vector<Part>& parts, Overlap overlap) {
+    // The parts in the order in which they may choose.
+    if (overlap == Overlap::last) std::reverse(parts.begin(), parts.end());
+    std::vector<GivenUp> given_up;
+    std::vector<std::vector<char>> keep;
+    for (const Part& part : parts) keep.emplace_back(part.size(), 1);
+    for (const Claim& claim : find_claims(parts)) {
+        const Part& part = parts[claim.later];
+        GivenUp gift{claim.later, claim.earlier, 0, 0};
+        for (const std::size_t k : claim.particles) {
+            if (!keep[claim.later][k]) continue; // another one has it already
+            keep[claim.later][k] = 0;
+            ++gift.particles;
+            gift.content += part.fraction_of(k) * part.lattice.content();
+        }
+        if (gift.particles > 0) given_up.push_back(gift);
+    }
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        keep_only(parts[k].place, keep[k]);
+        keep_only(parts[k].fraction, keep[k]);
+        keep_only(parts[k].temperature, keep[k]);
+        keep_only(parts[k].orientation, keep[k]);
+        keep_only(parts[k].particle, keep[k]);
+    }
+    if (overlap == Overlap::last) {
+        std::reverse(parts.begin(), parts.end());
+        for (GivenUp& gift : given_up) {
+            gift.from = parts.size() - 1 - gift.from;
+            gift.to = parts.size() - 1 - gift.to;
+        }
+    }
+    return given_up;
 }
 
 std::string length_text(double metres) {

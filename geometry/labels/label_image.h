@@ -23,11 +23,12 @@ struct LabelledBody {
 struct LabelledImage {
     LabelVolume volume; ///< 0 void, k > 0 bodies[k - 1]
     std::vector<LabelledBody> bodies;
-    std::vector<std::int64_t> pixels_of_entry; ///< per legend entry, of the part that is used, before speckles are removed
-    std::vector<UnmatchedColour> unmatched;    ///< colours that no entry covers, most frequent first; their label is 0
-    std::array<double, 3> spacing{};           ///< size of a pixel that the file states [m]; 0: none
-    std::int64_t speckle_pixels = 0;           ///< pixels that changed hands
-    int speckles = 0;                          ///< components that did
+    std::vector<std::int64_t>
+        pixels_of_entry;                    ///< per legend entry, of the part that is used, before speckles are removed
+    std::vector<UnmatchedColour> unmatched; ///< colours that no entry covers, most frequent first; their label is 0
+    std::array<double, 3> spacing{};        ///< size of a pixel that the file states [m]; 0: none
+    std::int64_t speckle_pixels = 0;        ///< pixels that changed hands
+    int speckles = 0;                       ///< components that did
 };
 
 /// Reads an image and finds its bodies, in this order: crop, legend, flip, turn, speckles, bodies.
@@ -40,5 +41,15 @@ struct LabelledImage {
 /// \throws std::runtime_error when the file can't be read, is a stack where one picture is needed, or does not have the
 /// pixels that crop or slice name; what() can stand after "/images/0/file: "
 LabelledImage label_image(const ImageSpec& spec, int dimension, const std::filesystem::path& file);
+
+/// Greys of a second image.
+struct ValueVolume {
+    LabelVolume volume; ///< grey of each pixel
+    int highest = 255;  ///< grey that is white: 255 or 65535
+};
+
+/// Reads a grey image of the same frame as the image of the bodies: the same crop, flip and turn.
+/// \throws std::runtime_error as label_image(), and for colours
+ValueVolume value_image(const ImageSpec& spec, int dimension, const std::filesystem::path& file);
 
 } // namespace abut

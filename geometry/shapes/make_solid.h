@@ -17,13 +17,14 @@ struct ShapeContext {
     double resolution = 0;        ///< edge of a particle: implicit surfaces are meshed to a thousandth of it [m]
 };
 
-/// Whether a shape exists in 2 or 3 dimensions: disks, ellipses, rings, polygons and paths are plane; balls, ellipsoids,
-/// cylinders, cones, surfaces and implicit ones are not; boxes and combinations are either.
+/// Whether a shape exists in 2 or 3 dimensions: disks, ellipses, rings, polygons and paths are plane; balls,
+/// ellipsoids, cylinders, cones, surfaces and implicit ones are not; boxes and combinations are either.
 bool exists_in(const ShapeSpec& shape, int dimension);
 
-/// \throws std::runtime_error when a file can't be read or its content is no closed outline or surface, an expression is
-/// wrong or its surface leaves its box, a name is unknown, of the other dimension or used in its own definition, or a
-/// combination is empty; what() says what and where, and can stand after "/bodies/3: "
-Solid make_solid(const ShapeSpec& shape, const ShapeContext& context);
+/// \throws std::runtime_error when a file can't be read or its content is no closed outline or surface, an expression
+/// is wrong or its surface leaves its box, a name is unknown, of the other dimension or used in its own definition, or
+/// a combination is empty; what() says what and where, and can stand after "/bodies/3: " \param repairs gets what was
+/// repaired in surfaces that ask for it
+Solid make_solid(const ShapeSpec& shape, const ShapeContext& context, std::vector<std::string>* repairs = nullptr);
 
 } // namespace abut

@@ -27,8 +27,8 @@ Spans difference(const Spans& a, const Spans& b);
 /// "Inside by centre" and "covered fraction" both ask only for spans, and so do unions, differences and intersections.
 struct Solid {
     Vector lower{}, upper{}; ///< box that holds it (z 0 in plane scenes) [m]
-    /// Coordinates x (first) and, in 3D, y (second) at which the spans may jump or have a kink (corners, faces across the
-    /// axis), ascending. Integrals over x and y are made piecewise between them; shapes with many corners may leave
+    /// Coordinates x (first) and, in 3D, y (second) at which the spans may jump or have a kink (corners, faces across
+    /// the axis), ascending. Integrals over x and y are made piecewise between them; shapes with many corners may leave
     /// them out.
     std::array<std::vector<double>, 2> breaks;
     /// The spans of the line at x (and, in 3D, y). May be called by several threads at once.

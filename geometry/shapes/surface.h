@@ -13,7 +13,7 @@
 namespace abut {
 
 struct TriangleMesh {
-    std::vector<Vector> points;              ///< [m]
+    std::vector<Vector> points;                ///< [m]
     std::vector<std::array<int, 3>> triangles; ///< indices of points, counter-clockwise seen from outside
 };
 
@@ -27,8 +27,8 @@ struct RepairedMesh {
 /// coordinates are finite, no triangle without area, no edge of one or of more than two triangles, no points where
 /// sheets only touch, no self-intersection, the outside is outside. Faces of more corners are divided into triangles;
 /// points at the same place are one.
-/// \throws std::runtime_error naming the file, all that is wrong, how often, and where first (coordinates of the scene);
-/// with spec.repair only when it can't be repaired
+/// \throws std::runtime_error naming the file, all that is wrong, how often, and where first (coordinates of the
+/// scene); with spec.repair only when it can't be repaired
 RepairedMesh read_surface(const Surface& spec, const std::filesystem::path& file);
 
 /// Triangles of the surface expression = 0, closed, at most `distance` from it [m]. Variables x, y, z in multiples of

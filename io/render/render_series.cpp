@@ -105,28 +105,53 @@ void extend(Bounds& bounds, const PointFrame& frame, bool with_domains) {
     if (const auto domains = Domains::of(frame); with_domains && domains) domains->extend(bounds);
 }
 
+/// The array that colours the particles. \param where for messages
+const Array& chosen_array(const PointFrame& frame, const RenderOptions& options, const std::string& where) {
+    const Array* array = find_array(frame, options.array);
+    if (!array)
+        throw RenderRequestError(fmt::format("{}: {}", where, no_such("array", options.array, array_names(frame))));
+    if (options.component >= array->components)
+        throw RenderRequestError(fmt::format("{}: array \"{}\" has components 0 to {}, not {}", where, options.array,
+                                             array->components - 1, options.component));
+    return *array;
+}
+
+bool by_body(const RenderOptions& options) {
+    return options.array == "body";
+}
+
+/// The style of pictures that show `bounds`, and values in `range`, where they are not those of bodies.
+Style make_style(const PointFrame& first, const Array& array, const Bounds& bounds, const Range& range,
+                 const RenderOptions& options) {
+    Style style;
+    const double unit = options.width / 1000.0;
+    double panel = 0;
+    if (by_body(options)) {
+        style.legend = legend_of(first, options);
+        panel = panel_width(style.legend, unit);
+    } else {
+        style.scale = colour_scale(array, options.component, range, options.range.has_value());
+        panel = panel_width(*style.scale, unit);
+    }
+    style.layout = make_layout(bounds, options.width, options.height, panel);
+    style.spacing = dot_spacing(first, bounds);
+    return style;
+}
+
+constexpr Bounds nothing{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
 /// Looks at the first frame, and at all where the range of values or the bounds need it.
 Style make_style(const SeriesSource& source, const RenderOptions& options, const std::vector<int>& frames) {
     const PointFrame first = source.particles(frames.front(), {});
-    const Array* array = find_array(first, options.array);
-    if (!array)
-        throw RenderRequestError(
-            fmt::format("{}: {}", source.series.path.string(), no_such("array", options.array, array_names(first))));
-    if (options.component >= array->components)
-        throw RenderRequestError(fmt::format("{}: array \"{}\" has components 0 to {}, not {}",
-                                             source.series.path.string(), options.array, array->components - 1,
-                                             options.component));
-
-    Style style;
+    const Array& array = chosen_array(first, options, source.series.path.string());
     // A box of space that is mostly empty would leave little of the picture to the bodies: there the picture shows the
     // box that they need, in the plane that of the grid.
     const bool in_space = is_in_space(first);
     std::optional<Bounds> bounds;
     if (!in_space) bounds = source.grid_bounds();
-    const bool by_body = options.array == "body";
     Range range = options.range;
-    if (!bounds || (!by_body && !range)) {
-        Bounds points{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    if (!bounds || (!by_body(options) && !range)) {
+        Bounds points = nothing;
         for (const int index : frames) {
             std::vector<std::string> wanted{options.array};
             if (in_space) wanted.insert(wanted.end(), {"half_size", "deformation_gradient"});
@@ -137,19 +162,9 @@ Style make_style(const SeriesSource& source, const RenderOptions& options, const
         }
         if (!bounds) bounds = around(points);
     }
-    const double unit = options.width / 1000.0;
-    double panel = 0;
-    if (by_body) {
-        style.legend = legend_of(first, options);
-        panel = panel_width(style.legend, unit);
-    } else {
-        style.scale = colour_scale(*array, options.component, range, options.range.has_value());
-        panel = panel_width(*style.scale, unit);
-    }
-    style.layout = make_layout(*bounds, options.width, options.height, panel);
+    Style style = make_style(first, array, *bounds, range, options);
     style.title = source.title();
     style.end_time = source.series.entries.back().time;
-    style.spacing = dot_spacing(first, *bounds);
     return style;
 }
 
@@ -191,15 +206,13 @@ void add_normals(Picture& picture, const PointFrame& contact, const Layout& layo
                       24 * layout.unit, 2 * layout.unit, {20, 20, 20});
 }
 
-Picture compose(const SeriesSource& source, int index, const Style& style, const RenderOptions& options) {
+/// \param contact the contact pairs, if their normals are wanted
+Picture compose(const PointFrame& frame, const PointFrame* contact, const std::string& time, const Style& style,
+                const RenderOptions& options) {
     const Layout& layout = style.layout;
     Picture picture;
     picture.width = layout.width;
     picture.height = layout.height;
-    const PointFrame frame =
-        source.particles(index, {options.array, "body", "half_size", "deformation_gradient", "volume", "displacement"});
-    if (style.scale && !find_array(frame, options.array))
-        throw std::runtime_error(fmt::format("frame {}: no array \"{}\"", index, options.array));
     add_particles(picture, frame, style, options);
     constexpr Rgb outline{130, 130, 130};
     if (layout.bounds.flat()) {
@@ -209,16 +222,31 @@ Picture compose(const SeriesSource& source, int index, const Style& style, const
         add_axes(picture, layout.view, {layout.plot_upper[0] - 40 * layout.unit, 22 * layout.unit}, layout.unit,
                  {40, 40, 40});
     }
-    if (options.normals) add_normals(picture, source.contact(index), layout);
+    if (contact) add_normals(picture, *contact, layout);
     if (style.scale) add_colour_bar(picture, layout, *style.scale);
     add_legend(picture, layout, style.legend);
     add_scale_bar(picture, layout);
+    add_title(picture, layout, style.title, time);
+    return picture;
+}
 
+Picture compose(const SeriesSource& source, int index, const Style& style, const RenderOptions& options) {
+    const PointFrame frame =
+        source.particles(index, {options.array, "body", "half_size", "deformation_gradient", "volume", "displacement"});
+    if (style.scale && !find_array(frame, options.array))
+        throw std::runtime_error(fmt::format("frame {}: no array \"{}\"", index, options.array));
     std::string time =
         "t = " + format_time(source.series.entries[static_cast<std::size_t>(index)].time, style.end_time);
     if (time.ends_with(" us")) time.replace(time.size() - 2, 1, "µ");
-    add_title(picture, layout, style.title, time);
-    return picture;
+    if (!options.normals) return compose(frame, nullptr, time, style, options);
+    const PointFrame contact = source.contact(index);
+    return compose(frame, &contact, time, style, options);
+}
+
+void check_size(const RenderOptions& options) {
+    const auto unfit = [](int size) { return size < 100 || size > 8192; };
+    if (unfit(options.width) || (options.height != 0 && unfit(options.height)))
+        throw RenderRequestError("the width and height of pictures must be from 100 to 8192 pixels");
 }
 
 } // namespace
@@ -228,11 +256,28 @@ const std::vector<std::string>& render_presets() {
     return names;
 }
 
+void render_frame(const PointFrame& frame, const Bounds& grid, const std::string& title, const RenderOptions& given,
+                  const std::filesystem::path& file) {
+    const RenderOptions options = with_preset(given);
+    check_size(options);
+    const Array& array = chosen_array(frame, options, file.string());
+    Bounds bounds = grid;
+    if (is_in_space(frame)) {
+        bounds = nothing;
+        extend(bounds, frame, true);
+        bounds = around(bounds);
+    }
+    Range range = options.range;
+    if (!by_body(options) && !range) range = range_of(values_of(array, options.component));
+    Style style = make_style(frame, array, bounds, range, options);
+    style.title = title;
+    OffscreenContext context;
+    write_png(context, compose(frame, nullptr, "", style, options), file);
+}
+
 std::vector<std::filesystem::path> render_series(const std::filesystem::path& result_dir, const RenderOptions& given) {
     const RenderOptions options = with_preset(given);
-    const auto unfit = [](int size) { return size < 100 || size > 8192; };
-    if (unfit(options.width) || (options.height != 0 && unfit(options.height)))
-        throw RenderRequestError("the width and height of pictures must be from 100 to 8192 pixels");
+    check_size(options);
     const SeriesSource source = open_series(result_dir, options.normals);
     const std::vector<int> frames = chosen_frames(options, source.series);
     if (frames.empty()) return {};

@@ -2,6 +2,9 @@
 /// \file render_series.h
 /// Result series as pictures, without a display.
 
+#include "io/render/view.h"
+#include "results/frame.h"
+
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -38,6 +41,12 @@ public:
 /// array, the preset or a frame is not there, naming it and what there is, and std::runtime_error for files that are
 /// broken.
 std::vector<std::filesystem::path> render_series(const std::filesystem::path& result_dir, const RenderOptions& given);
+
+/// Draws one frame that is in no file yet, as `file` (PNG), which appears whole or not at all. Plane scenes are seen in
+/// the box of their grid. Throws RenderRequestError for an unknown array or preset or a size, std::runtime_error if the
+/// file can't be written. \param given its normals, frames and output are not used
+void render_frame(const PointFrame& frame, const Bounds& grid, const std::string& title, const RenderOptions& given,
+                  const std::filesystem::path& file);
 
 /// The names that RenderOptions::preset takes.
 const std::vector<std::string>& render_presets();

@@ -6,8 +6,6 @@
 #include "scene/suggest.h"
 
 #include <algorithm>
-#include <charconv>
-#include <string_view>
 
 namespace abut {
 
@@ -34,33 +32,6 @@ MaterialSpec bind_material(const std::string& name, const Json& json, std::vecto
     return material;
 }
 
-ShapeSpec bind_shape(const Json& json) {
-    if (const Json* shape = find(json, "disk")) {
-        Disk disk;
-        copy_components(*shape, "center", disk.center);
-        copy(*shape, "radius", disk.radius);
-        return disk;
-    }
-    if (const Json* shape = find(json, "ellipse")) {
-        Ellipse ellipse;
-        copy_components(*shape, "center", ellipse.center);
-        copy_components(*shape, "semi_axes", ellipse.semi_axes);
-        copy(*shape, "angle", ellipse.angle);
-        return ellipse;
-    }
-    if (const Json* shape = find(json, "ball")) {
-        Ball ball;
-        copy_components(*shape, "center", ball.center);
-        copy(*shape, "radius", ball.radius);
-        return ball;
-    }
-    Box box;
-    copy_components(part(json, "box"), "lower", box.lower);
-    copy_components(part(json, "box"), "upper", box.upper);
-    copy(part(json, "box"), "angle", box.angle);
-    return box;
-}
-
 BodySpec bind_body(const Json& json) {
     BodySpec body;
     copy(json, "name", body.name);
@@ -73,45 +44,10 @@ BodySpec bind_body(const Json& json) {
         for (std::size_t i = 0; i < rows[row].size(); ++i) body.velocity.gradient[row][i] = rows[row][i].get<double>();
     copy_components(json, "velocity_center", body.velocity.center);
     copy(json, "particles_per_cell", body.particles_per_cell);
+    copy_word(json, "fill", fill_words, body.fill);
+    copy_word(json, "arrangement", arrangement_words, body.arrangement);
+    body.state = bind_initial_state(json);
     return body;
-}
-
-std::array<int, 3> bind_colour(std::string_view text) {
-    std::array<int, 3> rgb{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const char* digits = text.data() + 1 + 2 * i;
-        std::from_chars(digits, digits + 2, rgb[i], 16);
-    }
-    return rgb;
-}
-
-LegendEntry bind_legend_entry(const Json& json) {
-    LegendEntry entry;
-    if (const Json* grey = find(json, "grey")) {
-        entry.grey = true;
-        entry.rgb.fill(grey->get<int>());
-    } else if (const Json* rgb = find(json, "rgb")) {
-        entry.rgb = bind_colour(rgb->get_ref<const std::string&>());
-    }
-    copy(json, "tolerance", entry.tolerance);
-    copy(json, "void", entry.is_void);
-    copy(json, "body", entry.body);
-    copy(json, "material", entry.material);
-    if (const Json* rigid = find(json, "rigid")) entry.rigid = bind_rigid(*rigid);
-    copy_components(json, "velocity", entry.velocity);
-    return entry;
-}
-
-ImageSpec bind_image(const Json& json) {
-    ImageSpec image;
-    if (const Json* file = find(json, "file")) image.file = file->get<std::string>();
-    copy_per_axis(json, "pixel", image.pixel, 2);
-    copy_components(json, "size", image.size);
-    copy_components(json, "lower", image.lower);
-    copy_word(json, "top_row", top_row_words, image.first_row_is_up);
-    copy(json, "particles_per_cell", image.particles_per_cell);
-    copy_list(json, "legend", image.legend, bind_legend_entry);
-    return image;
 }
 
 LawSpec bind_law(const Json& json) {
@@ -203,7 +139,9 @@ Scene bind_scene(const Json& checked, std::vector<Problem>& problems) {
     scene.method = bind_method(part(checked, "method"));
     for (const auto& [name, material] : part(checked, "materials").items())
         scene.materials.push_back(bind_material(name, material, problems));
+    for (const auto& [name, shape] : part(checked, "shapes").items()) scene.shapes.push_back({name, bind_shape(shape)});
     copy_list(checked, "bodies", scene.bodies, bind_body);
+    copy_word(checked, "overlap", overlap_words, scene.overlap);
     copy_list(checked, "images", scene.images, bind_image);
     if (const Json* contact = find(checked, "contact")) scene.contact = bind_contact(*contact);
     copy_list(checked, "boundaries", scene.boundaries, bind_boundary);

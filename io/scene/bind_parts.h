@@ -59,6 +59,15 @@ void copy_list(const Json& object, const char* key, std::vector<T>& member, Bind
     for (const Json& entry : part(object, key)) member.push_back(bind(entry));
 }
 
+/// The shape of an object that has one of shape_kinds().
+ShapeSpec bind_shape(const Json& json);
+
+/// An entry of /images.
+ImageSpec bind_image(const Json& json);
+
+/// Angular velocity, temperature and so on of a body or an entry of a legend.
+InitialState bind_initial_state(const Json& json);
+
 /// A prescribed motion.
 RigidSpec bind_rigid(const Json& json);
 

@@ -46,6 +46,28 @@ std::optional<Json> list_per_axis(const Value& value, const std::string& parts,
     return list;
 }
 
+/// "angular velocity" of "an angular velocity".
+std::string name_without_article(const Dimension& dimension) {
+    const std::string name = name_of(dimension);
+    return name.substr(name.find(' ') + 1);
+}
+
+/// A list of at least so many entries, each checked by `check`; `parts`: what to call them.
+std::optional<Json> list_of(const Value& value, std::size_t least, const std::string& parts,
+                            std::optional<Json> (*check)(const Value&)) {
+    if (!value.json.is_array()) return value.wrong_type("a list of " + parts);
+    if (value.json.size() < least)
+        return value.wrong(fmt::format("at least {} {} are needed, not {}", least, parts, value.json.size()));
+    Json list = Json::array();
+    for (std::size_t i = 0; i < value.json.size(); ++i) {
+        const std::string pointer = fmt::format("{}/{}", value.pointer, i);
+        if (std::optional<Json> part = check({value.json[i], value.key, pointer, value.checking}))
+            list.push_back(std::move(*part));
+    }
+    if (list.size() != value.json.size()) return {};
+    return list;
+}
+
 const Key time_key{.path = "", .kind = Kind::quantity, .dimension = dimensions::time};
 const Key width_key{.path = "", .kind = Kind::quantity, .dimension = dimensions::time, .range = above(0)};
 
@@ -144,6 +166,23 @@ std::optional<Json> check_vector(const CheckedValue& value) {
 
 std::optional<Json> check_matrix(const CheckedValue& value) {
     return list_per_axis(value, "rows", check_vector);
+}
+
+std::optional<Json> check_spin(const CheckedValue& value) {
+    if (!value.checking.analysis) return {};
+    if (*value.checking.analysis == Analysis::three_d) return check_vector(value);
+    if (value.json.is_array())
+        return value.wrong(fmt::format("one {} is needed in {}, not a list", name_without_article(value.key.dimension),
+                                       scene_of(*value.checking.analysis)));
+    return check_quantity(value);
+}
+
+std::optional<Json> check_points(const CheckedValue& value) {
+    return list_of(value, 3, "points", check_vector);
+}
+
+std::optional<Json> check_outlines(const CheckedValue& value) {
+    return list_of(value, 0, "lists of points", check_points);
 }
 
 std::optional<Json> check_functions(const CheckedValue& value) {

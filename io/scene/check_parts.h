@@ -32,6 +32,15 @@ std::optional<Json> check_matrix(const CheckedValue& value);
 /// the key's words.
 std::optional<Json> check_function(const CheckedValue& value);
 
+/// One quantity in plane scenes, a vector in 3D.
+std::optional<Json> check_spin(const CheckedValue& value);
+
+/// A list of 3 or more vectors.
+std::optional<Json> check_points(const CheckedValue& value);
+
+/// A list of lists of points.
+std::optional<Json> check_outlines(const CheckedValue& value);
+
 /// A list of functions of time, one per axis.
 std::optional<Json> check_functions(const CheckedValue& value);
 

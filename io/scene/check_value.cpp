@@ -104,6 +104,12 @@ std::optional<Json> check_value(const Json& json, const Key& key, const std::str
         return check_vector(value);
     case Kind::per_axis:
         return json.is_array() ? check_vector(value) : check_quantity(value);
+    case Kind::spin:
+        return check_spin(value);
+    case Kind::points:
+        return check_points(value);
+    case Kind::outlines:
+        return check_outlines(value);
     case Kind::matrix:
         return check_matrix(value);
     case Kind::function:

@@ -4,6 +4,7 @@
 #include "io/scene/check.h"
 #include "io/scene/overrides.h"
 #include "io/scene/parse_json.h"
+#include "io/scene/specification.h"
 #include "scene/problem.h"
 #include "scene/validate.h"
 
@@ -46,6 +47,7 @@ bool on_one_path(const std::string& a, const std::string& b) {
 /// Whether a name can fit nothing just because what it could fit was not readable.
 bool follows_from(const std::string& name, const std::string& unreadable) {
     if (unreadable == "/materials") return name.ends_with("/material");
+    if (unreadable == "/shapes") return name.starts_with("/bodies/");
     const bool of_body = name.starts_with("/contact/laws/") || name.ends_with("/traction/body");
     return (unreadable == "/bodies" || unreadable == "/images") && of_body;
 }
@@ -61,13 +63,16 @@ void add_new(std::vector<Problem>& problems, const std::vector<Problem>& more) {
     }
 }
 
-void make_image_paths_absolute(Json& scene, const std::filesystem::path& file) {
-    const auto images = scene.find("images");
-    if (images == scene.end()) return;
-    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-    for (Json& image : *images) {
-        const auto path = image.find("file");
-        if (path != image.end()) *path = (folder / path->get<std::string>()).lexically_normal().string();
+/// All values at keys of Kind::file below `json`.
+void make_paths_absolute(Json& json, const SpecificationNode& node, const std::filesystem::path& folder) {
+    if (json.is_array() || (json.is_object() && node.key->kind == Kind::map)) {
+        if (!node.children.empty())
+            for (Json& entry : json) make_paths_absolute(entry, node.children.front(), folder);
+    } else if (json.is_object()) {
+        for (auto& [name, value] : json.items())
+            if (const SpecificationNode* child = node.find(name)) make_paths_absolute(value, *child, folder);
+    } else if (node.key->kind == Kind::file && json.is_string()) {
+        json = (folder / json.get<std::string>()).lexically_normal().string();
     }
 }
 
@@ -91,7 +96,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const std::vector<std:
 
     CheckedScene checked = check_scene(*parsed.value);
     problems.insert(problems.end(), checked.problems.begin(), checked.problems.end());
-    make_image_paths_absolute(checked.scene, file);
+    make_paths_absolute(checked.scene, scene_specification(), std::filesystem::absolute(file).parent_path());
 
     // After a problem of structure, numbers may be missing, but names can still be checked.
     const bool complete = problems.empty();

@@ -43,6 +43,12 @@ std::string type_of(const Key& key) {
         return fmt::format("vector of {}{}", unit, range);
     case Kind::per_axis:
         return fmt::format("{0} or vector of {0}{1}", unit, range);
+    case Kind::spin:
+        return fmt::format("{0}; in `3d` vector of {0}", unit);
+    case Kind::points:
+        return fmt::format("list of vectors of {}", unit);
+    case Kind::outlines:
+        return fmt::format("list of lists of vectors of {}", unit);
     case Kind::matrix:
         return "matrix of " + unit;
     case Kind::function:

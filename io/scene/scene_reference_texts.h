@@ -65,7 +65,7 @@ y. Images, disks and ellipses are for these three, balls for `3d`.
 
 **Images** may be PNG, TIFF, JPEG or uncompressed BMP, with 8 bits a channel (grey, palette or RGB) and no
 transparency; 16-bit images and images with transparent pixels are refused. Lossy JPEG blurs colours: use it with
-`tolerance` only. The top row of the image is the top of the scene unless `top_row` says otherwise. A particle gets
+`tolerance` only. The first row of the image is the top of the scene unless `up` says otherwise. A particle gets
 the body whose pixels cover most of it, whatever the sizes of pixels and particles; the empty space beyond the image's
 edge counts as void; of equal shares a body wins over void, and the body that comes first in the legend over others. A
 colour that no entry covers is an error that names it; an image without empty space needs no `void` entry. Entries of

@@ -38,6 +38,10 @@ Json per_axis_schema(Json part) {
     return {{"type", "array"}, {"items", std::move(part)}, {"minItems", 2}, {"maxItems", 3}};
 }
 
+Json points_schema(const Key& key) {
+    return {{"type", "array"}, {"items", per_axis_schema(quantity_schema(key))}, {"minItems", 3}};
+}
+
 Json object_of(const Json& properties, const std::vector<std::string>& required) {
     return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}, {"required", required}};
 }
@@ -63,11 +67,16 @@ Json value_schema(const Key& key) {
         return quantity_schema(key);
     case Kind::vector:
         return per_axis_schema(quantity_schema(key));
+    case Kind::spin:
     case Kind::per_axis: {
         Json schema = quantity_schema(key);
         schema["anyOf"].push_back(per_axis_schema(quantity_schema(key)));
         return schema;
     }
+    case Kind::points:
+        return points_schema(key);
+    case Kind::outlines:
+        return {{"type", "array"}, {"items", points_schema(key)}};
     case Kind::matrix:
         return per_axis_schema(per_axis_schema(quantity_schema(key)));
     case Kind::function:
@@ -200,6 +209,13 @@ Json analysis_schema(const SpecificationNode& node, const Word<Analysis>& analys
         if (std::find(allowed.begin(), allowed.end(), word) == allowed.end()) return false;
     }
     if (key.kind == Kind::vector || key.kind == Kind::per_axis || key.kind == Kind::functions) return count;
+    if (key.kind == Kind::spin) {
+        if (analysis.value != Analysis::three_d) return {{"not", {{"type", "array"}}}};
+        count["type"] = "array";
+        return count;
+    }
+    if (key.kind == Kind::points) return {{"items", count}};
+    if (key.kind == Kind::outlines) return {{"items", {{"items", count}}}};
     if (key.kind == Kind::matrix) {
         const Json row = count;
         count["items"] = row;

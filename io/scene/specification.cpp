@@ -57,9 +57,10 @@ const std::vector<Group>& scene_groups() {
         {"/materials/*",
          {"bulk_modulus", "shear_modulus", "youngs_modulus", "poissons_ratio", "lame_lambda"},
          Count::exactly_two},
-        {"/bodies/#", {"box", "disk", "ellipse", "ball"}, Count::exactly_one},
-        {"/images/#", {"pixel", "size"}, Count::exactly_one},
-        {"/images/#/legend/#", {"grey", "rgb"}, Count::exactly_one},
+        {"/shapes/*", shape_kinds(), Count::exactly_one},
+        {"/bodies/#", shape_kinds(), Count::exactly_one},
+        {"/images/#", {"pixel", "size"}, Count::at_most_one},
+        {"/images/#/legend/#", {"grey", "rgb", "grey_range"}, Count::exactly_one},
         {"/boundaries/#", {"wall", "velocity", "traction"}, Count::exactly_one},
         {"/boundaries/#/traction", {"stress", "pressure"}, Count::exactly_one},
     };

@@ -19,6 +19,9 @@ enum class Kind {
     quantity,  ///< number (SI) or text with a unit
     vector,    ///< list of quantities, one per axis
     per_axis,  ///< one quantity, or a list of one per axis
+    spin,      ///< one quantity in plane scenes, a list of three in 3D
+    points,    ///< list of 3 or more vectors
+    outlines,  ///< list of lists of points
     matrix,    ///< list of one row per axis, each a list of one quantity per axis
     function,  ///< of time: one quantity, {"times", "values"} or {"pulse"} (check_function.cpp); or one of `words`
     functions, ///< list of functions of time, one per axis

@@ -120,6 +120,15 @@ std::vector<Key> general_keys() {
                     "`fmpm`: `lumped` before it, so that neighbours feel them; `velocity` after it, so that they "
                     "hold; `combined` both. Other schemes have only `combined`."},
 
+        {.path = "/overlap",
+         .kind = Kind::word,
+         .words = texts(overlap_words),
+         .otherwise = quoted("refuse"),
+         .meaning = "What happens where bodies claim the same place: `refuse`: an error that says which and where; "
+                    "`first`: it "
+                    "stays with the one that comes first, bodies in their order, then images in theirs; `last`: it "
+                    "goes to the "
+                    "one that comes last. `abut particles` tells who gave what to whom."},
         {.path = "/gravity",
          .kind = Kind::vector,
          .dimension = dimensions::acceleration,

@@ -82,12 +82,55 @@ std::vector<Key> rigid_keys(const std::string& path, const std::optional<OnlyWit
     };
 }
 
-std::vector<Key> body_keys() {
+/// What a body at `path` may have at time 0 besides its velocity.
+std::vector<Key> initial_state_keys(const std::string& path, const std::optional<OnlyWith>& only_with = {}) {
+    std::vector<Key> keys{
+        {.path = path + "/angular_velocity",
+         .kind = Kind::spin,
+         .dimension = dimensions::angular_velocity,
+         .only_with = only_with,
+         .unless = "rigid",
+         .meaning = "Adds a rotation about its centre of mass to its initial velocity, counter-clockwise."},
+        {.path = path + "/temperature",
+         .kind = Kind::quantity,
+         .dimension = dimensions::temperature,
+         .range = above(0),
+         .only_with = only_with,
+         .unless = "rigid",
+         .meaning = "Initial temperature; particle files then have it. No law of this version depends on it."},
+        {.path = path + "/orientation",
+         .kind = Kind::quantity,
+         .dimension = dimensions::angle,
+         .only_with = only_with,
+         .unless = "rigid",
+         .meaning =
+             "Direction of the material's own x axis, counter-clockwise from x; particle files then have it. All "
+             "materials of this version are isotropic, so that it changes nothing else."},
+        {.path = path + "/stress",
+         .kind = Kind::object,
+         .only_with = only_with,
+         .unless = "rigid",
+         .meaning = "Stress at time 0 (Cauchy, positive in tension), added to what the law gives as F S Fᵀ/J: it "
+                    "turns and stretches with the material, and its work is part of the strain energy, which is 0 at "
+                    "time 0."},
+    };
+    for (const char* component : {"xx", "yy", "zz", "xy", "yz", "xz"})
+        keys.push_back(
+            {.path = path + "/stress/" + component,
+             .kind = Kind::quantity,
+             .dimension = dimensions::pressure,
+             .otherwise = "0",
+             .only_with = component[1] == 'z' && component[0] != 'z' ? std::optional(only_in_3d) : std::nullopt,
+             .meaning = std::string("Component ") + component + "."});
+    return keys;
+}
+
+std::vector<Key> body_name_keys() {
     return {
         {.path = "/bodies",
          .kind = Kind::list,
          .otherwise = "[]",
-         .meaning = "Bodies of simple shapes; a body is a set of particles that share one velocity field."},
+         .meaning = "Bodies of shapes; a body is a set of particles that share one velocity field."},
         {.path = "/bodies/#", .kind = Kind::object, .meaning = "A body."},
         {.path = "/bodies/#/name", .kind = Kind::name, .required = true, .meaning = "Name of the body, unique."},
         {.path = "/bodies/#/material",
@@ -95,68 +138,11 @@ std::vector<Key> body_keys() {
          .required = true,
          .unless = "rigid",
          .meaning = "Name of its material; rigid bodies have none."},
-        {.path = "/bodies/#/box", .kind = Kind::object, .meaning = "A rectangle, or in `3d` a cuboid, along the axes."},
-        {.path = "/bodies/#/box/lower",
-         .kind = Kind::vector,
-         .dimension = dimensions::length,
-         .required = true,
-         .meaning = "Lower corner."},
-        {.path = "/bodies/#/box/upper",
-         .kind = Kind::vector,
-         .dimension = dimensions::length,
-         .required = true,
-         .meaning = "Upper corner."},
-        {.path = "/bodies/#/box/angle",
-         .kind = Kind::quantity,
-         .dimension = dimensions::angle,
-         .otherwise = "0",
-         .only_with = only_in_plane,
-         .meaning =
-             "By how much it is turned about its centre, counter-clockwise. Its particles are laid out along its "
-             "own edges, and their domains are turned with them: `cpdi` and `b2cpdi` see them so, `ugimp` (and "
-             "all but these two) as boxes along the axes. Tractions name the faces that they had before "
-             "the turn."},
-        {.path = "/bodies/#/disk", .kind = Kind::object, .only_with = only_in_plane, .meaning = "A disk."},
-        {.path = "/bodies/#/disk/center",
-         .kind = Kind::vector,
-         .dimension = dimensions::length,
-         .required = true,
-         .meaning = "Centre."},
-        {.path = "/bodies/#/disk/radius",
-         .kind = Kind::quantity,
-         .dimension = dimensions::length,
-         .required = true,
-         .range = above(0),
-         .meaning = "Radius."},
-        {.path = "/bodies/#/ellipse", .kind = Kind::object, .only_with = only_in_plane, .meaning = "An ellipse."},
-        {.path = "/bodies/#/ellipse/center",
-         .kind = Kind::vector,
-         .dimension = dimensions::length,
-         .required = true,
-         .meaning = "Centre."},
-        {.path = "/bodies/#/ellipse/semi_axes",
-         .kind = Kind::vector,
-         .dimension = dimensions::length,
-         .required = true,
-         .range = above(0),
-         .meaning = "Half the two diameters."},
-        {.path = "/bodies/#/ellipse/angle",
-         .kind = Kind::quantity,
-         .dimension = dimensions::angle,
-         .otherwise = "0",
-         .meaning = "Direction of the first semi-axis, counter-clockwise from x."},
-        {.path = "/bodies/#/ball", .kind = Kind::object, .only_with = only_in_3d, .meaning = "A ball."},
-        {.path = "/bodies/#/ball/center",
-         .kind = Kind::vector,
-         .dimension = dimensions::length,
-         .required = true,
-         .meaning = "Centre."},
-        {.path = "/bodies/#/ball/radius",
-         .kind = Kind::quantity,
-         .dimension = dimensions::length,
-         .required = true,
-         .range = above(0),
-         .meaning = "Radius."},
+    };
+}
+
+std::vector<Key> body_matter_keys() {
+    return {
         {.path = "/bodies/#/velocity",
          .kind = Kind::vector,
          .dimension = dimensions::velocity,
@@ -180,95 +166,33 @@ std::vector<Key> body_keys() {
          .otherwise = "2",
          .range = from_to(1, 100),
          .meaning = "Particles in a cell along each axis."},
-    };
-}
-
-std::vector<Key> image_keys() {
-    return {
-        {.path = "/images",
-         .kind = Kind::list,
-         .otherwise = "[]",
-         .only_with =
-             OnlyWith{only_in_plane.key, only_in_plane.values, "images make plane bodies; 3d scenes need bodies"},
-         .meaning = "Images whose colours become bodies; one image may hold many."},
-        {.path = "/images/#", .kind = Kind::object, .meaning = "An image."},
-        {.path = "/images/#/file",
-         .kind = Kind::file,
-         .required = true,
-         .meaning = "Image file; a relative path starts from the folder of the scene file."},
-        {.path = "/images/#/pixel",
-         .kind = Kind::per_axis,
-         .dimension = dimensions::length,
-         .range = above(0),
-         .meaning = "Size of a pixel, one for both axes or one per axis."},
-        {.path = "/images/#/size",
-         .kind = Kind::vector,
-         .dimension = dimensions::length,
-         .range = above(0),
-         .meaning = "Size of the whole image, instead of `pixel`."},
-        {.path = "/images/#/lower",
-         .kind = Kind::vector,
-         .dimension = dimensions::length,
-         .required = true,
-         .meaning = "Where the lower left corner of the image lies."},
-        {.path = "/images/#/top_row",
+        {.path = "/bodies/#/fill",
          .kind = Kind::word,
-         .words = texts(top_row_words),
-         .otherwise = quoted("top"),
-         .meaning = "Where the first row of the file belongs: `top` shows the scene as an image viewer does, `bottom` "
-                    "upside down."},
-        {.path = "/images/#/particles_per_cell",
-         .kind = Kind::integer,
-         .otherwise = "2",
-         .range = from_to(1, 100),
-         .meaning = "Particles in a cell along each axis."},
-        {.path = "/images/#/legend",
-         .kind = Kind::list,
-         .required = true,
-         .range = at_least(1),
-         .meaning = "What each colour of the image stands for."},
-        {.path = "/images/#/legend/#", .kind = Kind::object, .meaning = "A colour."},
-        {.path = "/images/#/legend/#/grey",
-         .kind = Kind::integer,
-         .range = from_to(0, 255),
-         .meaning = "Grey level, 0 (black) to 255 (white)."},
-        {.path = "/images/#/legend/#/rgb", .kind = Kind::colour, .meaning = "Colour as \"#rrggbb\"."},
-        {.path = "/images/#/legend/#/tolerance",
-         .kind = Kind::integer,
-         .otherwise = "0",
-         .range = from_to(0, 255),
-         .meaning = "Largest difference in each channel that still counts as this colour."},
-        {.path = "/images/#/legend/#/void",
-         .kind = Kind::boolean,
-         .otherwise = "false",
-         .meaning = "Whether the colour is empty space."},
-        {.path = "/images/#/legend/#/body",
-         .kind = Kind::name,
-         .required = true,
-         .only_with = OnlyWith{"void", {"false"}},
-         .meaning = "Name of the body; several colours and images may make up one body."},
-        {.path = "/images/#/legend/#/material",
-         .kind = Kind::name,
-         .required = true,
-         .only_with = OnlyWith{"void", {"false"}},
-         .unless = "rigid",
-         .meaning = "Name of its material; rigid bodies have none."},
-        {.path = "/images/#/legend/#/velocity",
-         .kind = Kind::vector,
-         .dimension = dimensions::velocity,
-         .otherwise = "[0, 0]",
-         .only_with = OnlyWith{"void", {"false"}},
-         .unless = "rigid",
-         .meaning = "Initial velocity of all its particles."},
+         .words = {std::string(text_of(fill_words, Fill::centre)),
+                   std::string(text_of(fill_words, Fill::covered_fraction))},
+         .otherwise = quoted("centre"),
+         .meaning = "Which places of the particle lattice it takes: `centre`: those whose centre lies inside, as whole "
+                    "particles; `covered-fraction`: all that it covers in part, by particles with the area (volume), "
+                    "centre and proportions of what is covered, so that area and outline are those of the shape."},
+        {.path = "/bodies/#/arrangement",
+         .kind = Kind::word,
+         .words = texts(arrangement_words),
+         .meaning =
+             "Where its particle lattice begins: `grid`: at the grid's lower corner, one lattice for all bodies; "
+             "`fitted`: at the shape's own lower corner, with particles so much larger or smaller that they end "
+             "at its upper one. Not given: `fitted` for a box (but one turned in 3D), else `grid`."},
     };
 }
 
 } // namespace
 
 std::vector<Key> matter_keys() {
+    const OnlyWith not_void{"void", {"false"}};
     std::vector<Key> keys = material_keys();
-    for (std::vector<Key>& more : std::vector{body_keys(), rigid_keys("/bodies/#/rigid"), image_keys(),
-                                              rigid_keys("/images/#/legend/#/rigid", OnlyWith{"void", {"false"}})})
+    for (std::vector<Key>& more : std::vector{
+             shapes_keys(), body_name_keys(), shape_keys("/bodies/#"), body_matter_keys(),
+             initial_state_keys("/bodies/#"), rigid_keys("/bodies/#/rigid"), image_keys(),
+             initial_state_keys("/images/#/legend/#", not_void), rigid_keys("/images/#/legend/#/rigid", not_void)})
         keys.insert(keys.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     return keys;
 }

@@ -24,6 +24,7 @@ inline constexpr Dimension none{};
 inline constexpr Dimension length{.length = 1};
 inline constexpr Dimension time{.time = 1};
 inline constexpr Dimension angle{.angle = 1};
+inline constexpr Dimension temperature{.temperature = 1};
 inline constexpr Dimension rate{.time = -1};
 inline constexpr Dimension velocity{.length = 1, .time = -1};
 inline constexpr Dimension acceleration{.length = 1, .time = -2};

@@ -72,10 +72,17 @@ inline constexpr std::array law_words{Word{"frictionless", LawType::frictionless
                                       Word{"cohesive-interface", LawType::cohesive_interface}};
 inline constexpr std::array axis_words{Word{"x", 0}, Word{"y", 1}, Word{"z", 2}};
 inline constexpr std::array side_words{Word{"lower", Side::lower}, Word{"upper", Side::upper}};
+inline constexpr std::array fill_words{Word{"centre", Fill::centre}, Word{"majority", Fill::majority},
+                                       Word{"covered-fraction", Fill::covered_fraction}};
+inline constexpr std::array arrangement_words{Word{"grid", Arrangement::grid}, Word{"fitted", Arrangement::fitted}};
+inline constexpr std::array bodies_words{Word{"legend", BodiesBy::legend}, Word{"by-colour", BodiesBy::colour},
+                                         Word{"by-component", BodiesBy::component}};
+inline constexpr std::array overlap_words{Word{"refuse", Overlap::refuse}, Word{"first", Overlap::first},
+                                          Word{"last", Overlap::last}};
 /// Instead of a gradient of a wall's velocity.
 inline constexpr const char* estimated_word = "estimated";
-/// Whether the first row of an image is its top.
-inline constexpr std::array top_row_words{Word{"top", true}, Word{"bottom", false}};
+/// Which row of an image is up.
+inline constexpr std::array up_words{Word{"first-row", true}, Word{"last-row", false}};
 
 /// The texts of a list of words.
 template <class Words>

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "geometry/build_model.h"
+#include "io/render/render_series.h"
 #include "io/results/si_prefix.h"
 #include "io/results/write_frame.h"
 #include "io/scene/read_scene.h"
@@ -105,27 +106,29 @@ void print_plan(State<D>& state, const SceneOptions& options) {
     fmt::print("  {:>9.2f} MB together\n", total / 1e6);
 }
 
+/// The box of the scene's grid.
+Bounds grid_box(const Scene& scene) {
+    return {scene.grid.lower, scene.grid.upper};
+}
+
 template <int D>
-void write_model(State<D>& state, const std::filesystem::path& output) {
-    write_particles(output, particle_frame(state));
-    std::vector<double> size(state.bodies.size(), 0);
-    std::vector<std::size_t> count(state.bodies.size(), 0);
-    for (std::size_t p = 0; p < state.particles.size(); ++p) {
-        size[state.particles.body[p]] += (2 * state.particles.half_size[p]).prod();
-        ++count[state.particles.body[p]];
+void draw(const State<D>& state, const RenderOptions& options, const std::filesystem::path& file) {
+    try {
+        render_frame(particle_frame(state), grid_box(state.scene), state.scene.title, options, file);
+    } catch (const RenderRequestError& error) {
+        throw UsageError(error.what());
     }
-    fmt::print("{:<24} {:>10} {:>14}\n", "body", "particles", D == 2 ? "area [m^2]" : "volume [m^3]");
-    for (std::size_t b = 0; b < size.size(); ++b)
-        fmt::print("{:<24} {:>10} {:>14.6g}\n", state.bodies[b].name, count[b], size[b]);
-    fmt::print("written: {}\n", output.string());
 }
 
 /// Builds the state of a scene in its number of dimensions and hands it on.
 template <class Use>
-int with_state(const SceneOptions& options, Use&& use) {
+int with_state(const SceneOptions& options, ModelReport* report, Use&& use) {
     const LoadedScene loaded = load_scene(options.scene, options.set);
     print_advice(loaded.scene, options.scene);
-    const Model model = build_model(loaded.scene, options.scene.string());
+    const Model model = build_model(loaded.scene, options.scene.string(), report);
+    if (report)
+        for (const std::string& warning : warnings_of(*report))
+            fmt::print(stderr, "{}: advice: {}\n", options.scene.string(), warning);
     if (dimension(loaded.scene.analysis) == 3) {
         State<3> state = make_state<3>(loaded.scene, model);
         use(state);
@@ -138,13 +141,26 @@ int with_state(const SceneOptions& options, Use&& use) {
 
 } // namespace
 
-int check_command(const SceneOptions& options) {
-    return with_state(options, [&](auto& state) { print_plan(state, options); });
+int check_command(const SceneOptions& options, const std::filesystem::path& png) {
+    return with_state(options, nullptr, [&](auto& state) {
+        print_plan(state, options);
+        if (png.empty()) return;
+        draw(state, {}, png);
+        fmt::print("\nwritten: {}\n", png.string());
+    });
 }
 
-int particles_command(const SceneOptions& options, std::filesystem::path output) {
-    if (output.empty()) output = options.scene.stem().string() + "-particles.vtu";
-    return with_state(options, [&](auto& state) { write_model(state, output); });
+int particles_command(const SceneOptions& options, ParticlesOptions preview) {
+    if (preview.output.empty()) preview.output = options.scene.stem().string() + "-particles.vtu";
+    ModelReport report;
+    return with_state(options, &report, [&](auto& state) {
+        const std::filesystem::path picture = std::filesystem::path(preview.output).replace_extension(".png");
+        write_particles(preview.output, particle_frame(state));
+        if (!preview.no_picture) draw(state, preview.render, picture);
+        fmt::print("{}", table_of(report, static_cast<std::size_t>(dimension(state.scene.analysis))));
+        for (const std::string& note : report.notes) fmt::print("{}\n", note);
+        fmt::print("written: {}{}\n", preview.output.string(), preview.no_picture ? "" : " and " + picture.string());
+    });
 }
 
 } // namespace abut

@@ -28,6 +28,12 @@ struct SceneOptions {
     std::vector<std::string> set; ///< "PTR=VALUE"
 };
 
+struct ParticlesOptions {
+    std::filesystem::path output; ///< empty: NAME-particles.vtu, NAME that of the scene file
+    RenderOptions render;         ///< of the picture beside it
+    bool no_picture = false;
+};
+
 struct RunOptions {
     SceneOptions scene;
     std::filesystem::path output;     ///< empty: NAME-results, NAME that of the scene file
@@ -46,8 +52,9 @@ void check_start(State<D>& state, const std::filesystem::path& scene);
 void print_advice(const Scene& scene, const std::filesystem::path& file);
 
 int run_command(const RunOptions& options);
-int check_command(const SceneOptions& options);
-int particles_command(const SceneOptions& options, std::filesystem::path output);
+/// \param png where to draw the bodies; empty: nowhere
+int check_command(const SceneOptions& options, const std::filesystem::path& png);
+int particles_command(const SceneOptions& options, ParticlesOptions preview);
 int render_command(const std::filesystem::path& results, const RenderOptions& options);
 int draw_ellipses_command(const std::filesystem::path& output, const EllipseDrawing& drawing,
                           const std::string& material);

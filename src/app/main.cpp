@@ -53,16 +53,22 @@ int run_program(int argc, char** argv) {
     run->callback([&] { action = [&] { return run_command(run_options); }; });
 
     SceneOptions check_options;
+    std::filesystem::path check_png;
     CLI::App* check = program.add_subcommand("check", "Checks a scene and prints what would run; runs nothing");
     add_scene(*check, check_options);
-    check->callback([&] { action = [&] { return check_command(check_options); }; });
+    check->add_option("--png", check_png, "also draws the bodies to this PNG file");
+    check->callback([&] { action = [&] { return check_command(check_options, check_png); }; });
 
     SceneOptions particles_options;
-    std::filesystem::path particles_output;
+    ParticlesOptions preview;
     CLI::App* particles = program.add_subcommand("particles", "Builds the model only, for a look before a run");
     add_scene(*particles, particles_options);
-    particles->add_option("-o,--output", particles_output, "file; default NAME-particles.vtu");
-    particles->callback([&] { action = [&] { return particles_command(particles_options, particles_output); }; });
+    particles->add_option("-o,--output", preview.output,
+                          "VTU file; default NAME-particles.vtu. The picture is beside it, with .png");
+    particles->add_option("--array", preview.render.array, "particle array that colours the picture; default body");
+    particles->add_option("--width", preview.render.width, "of the picture [pixels]")->check(CLI::Range(100, 8192));
+    particles->add_flag("--no-png", preview.no_picture, "no picture");
+    particles->callback([&] { action = [&] { return particles_command(particles_options, preview); }; });
 
     std::filesystem::path results;
     RenderOptions render_options;

@@ -6,6 +6,7 @@
 #include "io/results/si_prefix.h"
 #include "io/scene/read_scene.h"
 #include "io/scene/units.h"
+#include "scene/input_files.h"
 #include "step/run_error.h"
 
 #include <fmt/format.h>
@@ -71,8 +72,8 @@ double end_time(const RunOptions& options, const Scene& scene) {
 
 /// An unusable result folder is a mistake on the command line, unlike a disk that fills up during the run.
 void make_ready(const std::filesystem::path& folder, const RunOptions& options, const Scene& scene) {
-    std::vector<std::filesystem::path> inputs = {options.scene.scene};
-    for (const ImageSpec& image : scene.images) inputs.push_back(image.file);
+    std::vector<std::filesystem::path> inputs = input_files(scene);
+    inputs.push_back(options.scene.scene);
     try {
         prepare_result_folder(folder, options.overwrite, inputs);
     } catch (const std::runtime_error& error) {

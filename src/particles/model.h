@@ -12,6 +12,9 @@ struct ModelBody {
     int material = 0; ///< -1: none, it is rigid
     InitialVelocity velocity;
     std::optional<RigidSpec> rigid{};
+    std::string group{}; ///< what the names of the bodies of a legend entry begin with, if it makes several
+    /// Stress at time 0, Cauchy, xx yy zz xy yz xz [Pa]; not given: none.
+    std::optional<std::array<double, 6>> stress{};
 };
 
 /// Material points before the first step, as geometry makes them: one entry a particle in each array.
@@ -22,6 +25,8 @@ struct Model {
     std::vector<int> body;         ///< index into `bodies`
     /// How far particles' domains are turned counter-clockwise in the plane [rad]; empty: not at all.
     std::vector<double> angle;
+    std::vector<double> temperature; ///< [K]; empty: no body has one. NaN for particles without.
+    std::vector<double> orientation; ///< of the material's x axis [rad]; likewise
 
     std::size_t size() const { return position.size(); }
 };

@@ -1,6 +1,10 @@
 #include "particles/particles.h"
 
+#include "material/prestress.h"
+
 #include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
 #include <numbers>
 
 namespace abut {
@@ -11,6 +15,21 @@ namespace {
 double depth_of(const Scene& scene, const Vector& x) {
     if (scene.analysis == Analysis::three_d) return 1;
     return scene.analysis == Analysis::axisymmetric ? 2 * std::numbers::pi * x[0] : scene.thickness;
+}
+
+/// Stresses of bodies that have one at the start. Domains that are turned are so by F, which S then has to undo.
+template <int D>
+void add_prestress(Particles<D>& particles, const Model& model) {
+    if (std::none_of(model.bodies.begin(), model.bodies.end(), [](const ModelBody& body) { return body.stress; }))
+        return;
+    particles.prestress.assign(particles.size(), Stress<D>::Zero());
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const std::optional<std::array<double, 6>>& stress = model.bodies[particles.body[p]].stress;
+        if (!stress) continue;
+        for (int c = 0; c < static_cast<int>(particles.stress[p].size()); ++c) particles.stress[p][c] = (*stress)[c];
+        particles.prestress[p] =
+            pushed_forward<D>(particles.stress[p], particles.deformation_gradient[p].inverse(), 1.0);
+    }
 }
 
 } // namespace
@@ -41,6 +60,7 @@ Particles<D> make_particles(const Model& model, const Scene& scene) {
         particles.body.push_back(model.body[p]);
         particles.id.push_back(static_cast<std::int32_t>(p));
     }
+    add_prestress(particles, model);
     return particles;
 }
 

@@ -24,6 +24,7 @@ struct Particles {
     std::vector<Vec<D>> half_size;            ///< half edges of the undeformed domain [m]
     /// Stretch across the plane (plane stress) or around the axis (axisymmetric); else empty.
     std::vector<double> across;
+    std::vector<Stress<D>> prestress; ///< S of bodies with an initial stress, see material/prestress.h; else empty [Pa]
     std::vector<std::int32_t> body;
     std::vector<std::int32_t> id; ///< index in the Model, which never changes
 

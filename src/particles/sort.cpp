@@ -55,6 +55,7 @@ Tiling<D> sort_particles(Particles<D>& particles, const Grid<D>& grid, bool fiel
     permute(particles.volume, order);
     permute(particles.half_size, order);
     if (!particles.across.empty()) permute(particles.across, order);
+    if (!particles.prestress.empty()) permute(particles.prestress, order);
     permute(particles.body, order);
     permute(particles.id, order);
 

@@ -16,6 +16,14 @@ bool any_law(const ContactSpec& contact, Test&& test) {
                                             [&](const PairLawSpec& pair) { return test(pair.law); });
 }
 
+bool any_prestress(const Scene& scene) {
+    const auto has_stress = [](const auto& body) { return body.state.stress.has_value(); };
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_stress) ||
+           std::any_of(scene.images.begin(), scene.images.end(), [&](const ImageSpec& image) {
+               return std::any_of(image.legend.begin(), image.legend.end(), has_stress);
+           });
+}
+
 bool any_rigid(const Scene& scene) {
     const auto is_rigid = [](const auto& body) { return body.rigid.has_value(); };
     return std::any_of(scene.bodies.begin(), scene.bodies.end(), is_rigid) ||
@@ -43,6 +51,7 @@ Effects effects_of(const Scene& scene) {
     effects.fmpm = transfer.scheme == TransferScheme::fmpm && effects.extra_orders > 0;
     effects.pic = transfer.scheme != TransferScheme::flip && effects.extra_orders == 0;
     effects.rigid = any_rigid(scene);
+    effects.prestress = any_prestress(scene);
     effects.periodic = transfer.every_cfl.has_value() && transfer.scheme != TransferScheme::flip;
     const StressUpdate update = scene.method.stress_update;
     effects.stress_last = update != StressUpdate::usf;

@@ -31,6 +31,7 @@ struct Effects {
     bool gravity = false;
     bool velocity_conditions = false; ///< walls, velocities of nodes, the axis of axisymmetric scenes
     bool tractions = false;
+    bool prestress = false;       ///< bodies with a stress at time 0
     bool ring = false;            ///< axisymmetric: hoop terms
     bool free_across = false;     ///< plane stress: the stretch across the plane is solved for
     bool stored_stencils = false; ///< stencils are kept for the sweeps of a step

@@ -15,6 +15,7 @@ std::vector<Field> fields_of(const Effects& effects) {
         "always", bytes_per_particle<D>());
     add(effects.ring || effects.free_across, "stretch across the plane", "particle",
         effects.ring ? "axisymmetric: stretch around the axis" : "plane stress: solved from the law", sizeof(double));
+    add(effects.prestress, "initial stress", "particle", "a body has one", sizeof(Stress<D>));
     add(true, "initial position", "particle", "displacement in the results", sizeof(Vec<D>));
     add(effects.stored_stencils, "node, shape functions, gradient", "stencil entry",
         effects.reextrapolate ? "the last extrapolation needs those of the step's beginning" : "dear to expand",

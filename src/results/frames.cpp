@@ -130,6 +130,11 @@ PointFrame particle_frame(const State<D>& state) {
                     {"body", 1, std::move(body)},
                     {"id", 1, std::move(id)},
                     {"half_size", 3, std::move(half_size)}};
+    const auto add_by_id = [&](const char* name, const std::vector<double>& values) {
+        if (!values.empty()) frame.arrays.push_back({name, 1, values}); // the frame is in the order of ids
+    };
+    add_by_id("temperature", state.temperature);
+    add_by_id("orientation", state.orientation);
     frame.words.push_back(body_names(state));
     return frame;
 }

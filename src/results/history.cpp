@@ -2,6 +2,7 @@
 
 #include "boundary/rigid_body.h"
 #include "grid/parallel.h"
+#include "material/prestress.h"
 
 namespace abut {
 
@@ -62,6 +63,10 @@ Totals particle_totals(const State<D>& state, std::int32_t p, const Law* law) {
     if (!law) return t; // rigid
     t.strain_energy =
         particles.volume[p] * std::visit([&](const auto& l) { return l.template energy<D>(strain); }, *law);
+    if (!particles.prestress.empty())
+        t.strain_energy +=
+            particles.volume[p] *
+            prestress_energy<D>(particles.prestress[p], particles.deformation_gradient[p], particles.across_of(p));
     // V σ = V0 τ
     for (int c = 0; c < 4; ++c) t.stress_volume[c] = particles.volume[p] * particles.stress[p][c];
     return t;

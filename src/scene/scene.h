@@ -113,7 +113,8 @@ struct MaterialSpec {
 
 struct Box {
     Vector lower{}, upper{}; ///< before it is turned [m]
-    double angle = 0;        ///< it is turned about its centre, counter-clockwise; plane scenes only [rad]
+    double angle = 0;        ///< it is turned about its centre, counter-clockwise seen against `axis` [rad]
+    Vector axis{0, 0, 1};    ///< of the turn, of any length but 0; z in plane scenes
 };
 struct Disk {
     Vector center{};   ///< [m]
@@ -143,10 +144,10 @@ struct Polygon {
 };
 /// How the coordinates of a file become those of the scene: scaled, then turned about the file's origin, then moved.
 struct Placement {
-    double scale = 1;       ///< what one unit of the file is [m]
-    Vector axis{0, 0, 1};   ///< of the turn, of any length but 0; z in plane scenes
-    double angle = 0;       ///< counter-clockwise seen against `axis` [rad]
-    Vector translation{};   ///< [m]
+    double scale = 1;     ///< what one unit of the file is [m]
+    Vector axis{0, 0, 1}; ///< of the turn, of any length but 0; z in plane scenes
+    double angle = 0;     ///< counter-clockwise seen against `axis` [rad]
+    Vector translation{}; ///< [m]
 };
 /// Outlines from a CSV file of points or from the paths of an SVG file; those inside others are holes (even-odd).
 struct Path {
@@ -172,7 +173,8 @@ struct Cone {
 struct Surface {
     std::filesystem::path file;
     Placement placement;
-    bool repair = false; ///< close holes, turn faces outwards, remove what crosses itself; else such surfaces are refused
+    bool repair =
+        false; ///< close holes, turn faces outwards, remove what crosses itself; else such surfaces are refused
 };
 /// Where an expression in x, y, z is negative.
 struct Implicit {
@@ -203,7 +205,8 @@ enum class Fill {
 /// Where the lattice of a shape's particles begins.
 enum class Arrangement {
     grid,  ///< at the grid's lower corner: the same for all bodies
-    fitted ///< at the shape's own lower corner, its particles a little larger or smaller so that they end at its upper one
+    fitted ///< at the shape's own lower corner, its particles a little larger or smaller so that they end at its upper
+           ///< one
 };
 
 /// Velocities v0 + L (x - x0) of a body's particles at time 0.
@@ -222,10 +225,10 @@ struct InitialVelocity {
 
 /// What a body has at time 0 besides its place and its velocity. What is not given is neither stored nor computed.
 struct InitialState {
-    Vector angular_velocity{};              ///< adds a rotation about the body's centre of mass [rad/s]
-    std::optional<double> temperature;      ///< [K]
+    Vector angular_velocity{};                   ///< adds a rotation about the body's centre of mass [rad/s]
+    std::optional<double> temperature;           ///< [K]
     std::optional<std::array<double, 6>> stress; ///< Cauchy, xx yy zz xy yz xz [Pa]
-    std::optional<double> orientation;      ///< angle of the material's axes, counter-clockwise from x [rad]
+    std::optional<double> orientation;           ///< angle of the material's axes, counter-clockwise from x [rad]
     bool operator==(const InitialState&) const = default;
 };
 
@@ -246,8 +249,8 @@ struct BodySpec {
     InitialVelocity velocity;
     int particles_per_cell = 2; ///< per axis
     Fill fill = Fill::centre;
-    std::optional<Arrangement> arrangement; ///< not given: fitted for boxes, grid for all others
-    InitialState state;
+    std::optional<Arrangement> arrangement{}; ///< not given: fitted for boxes, grid for all others
+    InitialState state{};
 };
 
 /// A shape that bodies and other shapes use by its name.
@@ -267,7 +270,7 @@ struct LegendEntry {
     std::string material; ///< empty if the body is rigid
     std::optional<RigidSpec> rigid;
     Vector velocity{};
-    InitialState state;
+    InitialState state{};
 };
 
 /// What is one body in an image.
@@ -285,24 +288,26 @@ struct ValueImage {
 
 /// A picture, or a stack of pictures.
 struct ImageSpec {
-    std::filesystem::path file;     ///< as written; relative paths are relative to the scene file. One "*" in the name
-                                    ///< stands for the number of a slice: a stack of numbered files
-    std::array<double, 3> pixel{};  ///< size of a pixel along the axes of the scene [m]; or zero (`size`, or the file's own)
-    std::array<double, 3> size{};   ///< size of the whole image along the axes of the scene [m]; or zero
-    Vector lower{};                 ///< where the image's lower corner lies [m]
-    bool first_row_is_up = true;    ///< false: the image's first row is the bottom of the box
-    std::optional<int> slice;       ///< plane scenes: which slice of a stack, from 0
-    /// First and last column, row (from the first in the file) and slice that are used, from 0; both included.
+    std::filesystem::path file; ///< as written; relative paths are relative to the scene file. One "*" in the name
+                                ///< stands for the number of a slice: a stack of numbered files
+    std::array<double, 3>
+        pixel{}; ///< size of a pixel along the axes of the scene [m]; or zero (`size`, or the file's own)
+    std::array<double, 3> size{}; ///< size of the whole image along the axes of the scene [m]; or zero
+    Vector lower{};               ///< where the image's lower corner lies [m]
+    bool first_row_is_up = true;  ///< false: the image's first row is the bottom of the box
+    std::optional<int> slice;     ///< plane scenes: which slice of a stack, from 0
+    /// First and last column, row (from the first in the file) and slice that are used, from 0; both included. {0, -1}:
+    /// all.
     std::optional<std::array<std::array<int, 2>, 3>> crop;
-    std::array<bool, 3> flip{};     ///< mirrored along these axes of the file (columns, rows, slices), after the crop
-    int quarter_turns = 0;          ///< counter-clockwise, after the flip; 0..3
-    int turn_axis = 2;              ///< about which axis
+    std::array<bool, 3> flip{}; ///< mirrored along these axes of the file (columns, rows, slices), after the crop
+    int quarter_turns = 0;      ///< counter-clockwise, after the flip; 0..3
+    int turn_axis = 2;          ///< about which axis
     BodiesBy bodies = BodiesBy::legend;
-    int connectivity = 0;           ///< of components: 4 or 8 in the plane, 6, 18 or 26 in 3D; 0: 4 or 6
-    int speckle = 0;                ///< components of fewer pixels go to what surrounds them
-    std::optional<double> split;    ///< components that touch at necks are divided there; depth of a neck [pixels]
+    int connectivity = 0;        ///< of components: 4 or 8 in the plane, 6, 18 or 26 in 3D; 0: 4 or 6
+    int speckle = 0;             ///< components of fewer pixels go to what surrounds them
+    std::optional<double> split; ///< components that touch at necks are divided there; depth of a neck [pixels]
     Fill fill = Fill::majority;
-    int particles_per_cell = 2;     ///< per axis
+    int particles_per_cell = 2; ///< per axis
     std::vector<LegendEntry> legend;
     std::optional<ValueImage> temperature;
     std::optional<ValueImage> orientation;

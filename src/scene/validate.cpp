@@ -3,6 +3,7 @@
 #include "scene/suggest.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -79,6 +80,7 @@ void check_legends(const Scene& scene, Problems& problems) {
                 problems.push_back({pointer + "/material", "the material" + clash});
             if (same_body->velocity != colour.velocity)
                 problems.push_back({pointer + "/velocity", "the velocity" + clash});
+            if (!(same_body->state == colour.state)) problems.push_back({pointer, "the initial state" + clash});
         }
     }
 }
@@ -92,6 +94,43 @@ std::vector<std::string> body_names(const Scene& scene) {
             if (!colour.is_void && !is_one_of(colour.body, names)) names.push_back(colour.body);
     }
     return names;
+}
+
+/// What the names of bodies begin with that only reading the images will tell.
+std::vector<std::string> group_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const ImageSpec& image : scene.images)
+        for (const LegendEntry& colour : image.legend)
+            if (image.bodies != BodiesBy::legend && !colour.is_void) names.push_back(colour.body);
+    return names;
+}
+
+/// Whether the name is that of a body, or may be that of one of a group.
+bool may_be_body(const std::string& name, const std::vector<std::string>& known, const Scene& scene) {
+    if (is_one_of(name, known)) return true;
+    const std::vector<std::string> groups = group_names(scene);
+    return std::any_of(groups.begin(), groups.end(),
+                       [&](const std::string& group) { return name.starts_with(group + "-"); });
+}
+
+/// Names of shapes that shapes and bodies use.
+void check_shape_names(const Scene& scene, Problems& problems) {
+    const std::vector<std::string> known = names_of(scene.shapes);
+    const auto check = [&](const ShapeSpec& shape, const std::string& pointer) {
+        if (const auto* named = std::get_if<NamedShape>(&shape))
+            if (!named->name.empty() && !is_one_of(named->name, known))
+                problems.push_back({pointer + "/shape", unknown("shape", named->name, known)});
+        const auto* combination = std::get_if<Combination>(&shape);
+        if (!combination) return;
+        const std::array keys{"/union/", "/difference/", "/intersection/"};
+        for (std::size_t i = 0; i < combination->shapes.size(); ++i)
+            if (const std::string& name = combination->shapes[i]; !name.empty() && !is_one_of(name, known))
+                problems.push_back(
+                    {pointer + keys[static_cast<std::size_t>(combination->operation)] + std::to_string(i),
+                     unknown("shape", name, known)});
+    };
+    for (const NamedShapeSpec& named : scene.shapes) check(named.shape, "/shapes/" + pointer_token(named.name));
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) check(scene.bodies[i].shape, entry("/bodies", i));
 }
 
 std::vector<std::string> rigid_names(const Scene& scene) {
@@ -112,12 +151,13 @@ void check_pair_laws(const Scene& scene, Problems& problems) {
     for (std::size_t i = 0; i < scene.contact->laws.size(); ++i) {
         const std::string pointer = entry("/contact/laws", i) + "/bodies";
         const auto& [a, b] = scene.contact->laws[i].bodies;
-        if (all_known && !a.empty() && !is_one_of(a, known))
+        if (all_known && !a.empty() && !may_be_body(a, known, scene))
             problems.push_back({pointer + "/0", unknown("body", a, known)});
-        if (all_known && !b.empty() && !is_one_of(b, known))
+        if (all_known && !b.empty() && !may_be_body(b, known, scene))
             problems.push_back({pointer + "/1", unknown("body", b, known)});
         if (a.empty() || b.empty()) continue;
-        if (a == b) problems.push_back({pointer, "\"" + a + "\" is named twice; a pair is two bodies"});
+        if (a == b && !is_one_of(a, group_names(scene)))
+            problems.push_back({pointer, "\"" + a + "\" is named twice; a pair is two bodies"});
         const auto [place, is_new] = first.emplace(std::minmax(a, b), i);
         if (!is_new)
             problems.push_back(
@@ -138,7 +178,10 @@ void check_boundary_names(const Scene& scene, Problems& problems) {
             problems.push_back({entry("/boundaries", i) + "/name",
                                 "\"" + scene.boundaries[i].name +
                                     "\" is already the name of a rigid body, whose force is in history.csv too"});
-        if (traction && !traction->body.empty() && !is_one_of(traction->body, known))
+        if (traction && is_one_of(traction->body, group_names(scene)))
+            problems.push_back({entry("/boundaries", i) + "/traction/body",
+                                "\"" + traction->body + "\" stands for several bodies; name one of them"});
+        if (traction && !traction->body.empty() && !may_be_body(traction->body, known, scene))
             problems.push_back({entry("/boundaries", i) + "/traction/body", unknown("body", traction->body, known)});
     }
 }
@@ -149,6 +192,7 @@ std::vector<Problem> validate_names(const Scene& scene) {
     Problems problems;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         if (!scene.bodies[i].rigid) check_material(scene.bodies[i].material, scene, entry("/bodies", i), problems);
+    check_shape_names(scene, problems);
     check_unique(scene.bodies, "/bodies", problems);
     check_legends(scene, problems);
     check_pair_laws(scene, problems);

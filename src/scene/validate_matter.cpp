@@ -1,3 +1,4 @@
+#include "scene/suggest.h"
 #include "scene/turn.h"
 #include "scene/validate_parts.h"
 
@@ -43,10 +44,7 @@ struct BodyCheck {
     Problems& problems;
 
     void operator()(const Box& box) const {
-        if (box.angle != 0 && scene.analysis == Analysis::three_d) {
-            problems.push_back({pointer + "/box/angle", "only boxes of plane scenes can be turned"});
-            return;
-        }
+        if (box.angle != 0 && scene.analysis == Analysis::three_d) return; // its model is checked
         const Vector cell = turned_cell(scene.grid.cell, box.angle);
         Vector half{};
         for (std::size_t axis = 0; axis < axes(scene); ++axis) {
@@ -65,6 +63,7 @@ struct BodyCheck {
             check_around(center(box), turned_reach(half, box.angle), "/box");
     }
 
+    /// Shapes whose extents only the model knows.
     template <class Other>
     void operator()(const Other&) const {}
 
@@ -122,22 +121,90 @@ struct BodyCheck {
     }
 };
 
-void check_images(const Scene& scene, Problems& problems) {
-    if (scene.analysis == Analysis::three_d && !scene.images.empty()) {
-        problems.push_back({"/images", "images make plane bodies; 3d scenes need bodies"});
-        return;
+bool is_zero(const Vector& v) {
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
+}
+
+/// What is wrong with a shape wherever it is used; one overload for each that can be wrong.
+struct ShapeCheck {
+    const Scene& scene;
+    const std::string pointer;
+    Problems& problems;
+
+    template <class Other>
+    void operator()(const Other&) const {}
+
+    void operator()(const Box& box) const { check_axis(box.axis, "/box"); }
+    void operator()(const Ellipsoid& ellipsoid) const { check_axis(ellipsoid.axis, "/ellipsoid"); }
+    void operator()(const Path& path) const { check_axis(path.placement.axis, "/path"); }
+    void operator()(const Surface& surface) const { check_axis(surface.placement.axis, "/surface"); }
+
+    void operator()(const Ring& ring) const {
+        demand(ring.inner_radius < ring.outer_radius, pointer + "/ring/inner_radius",
+               "must be smaller than the outer radius, " + metres(ring.outer_radius), problems);
     }
+    void operator()(const Cylinder& cylinder) const {
+        demand(cylinder.from != cylinder.to, pointer + "/cylinder/to", "must not be the same place as \"from\"",
+               problems);
+    }
+    void operator()(const Cone& cone) const {
+        demand(cone.from != cone.to, pointer + "/cone/to", "must not be the same place as \"from\"", problems);
+    }
+    void operator()(const Implicit& implicit) const {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            demand(implicit.lower[axis] < implicit.upper[axis], pointer + "/implicit/upper",
+                   "must lie above \"lower\" along " + std::string(axis_names[axis]), problems);
+    }
+
+    void check_axis(const Vector& axis, const std::string& shape) const {
+        demand(!is_zero(axis), pointer + shape + "/axis", "must not have the length 0", problems);
+    }
+};
+
+bool fits_dimension(int connectivity, Analysis analysis) {
+    if (connectivity == 0) return true;
+    if (analysis == Analysis::three_d) return connectivity == 6 || connectivity == 18 || connectivity == 26;
+    return connectivity == 4 || connectivity == 8;
+}
+
+void check_crop(const ImageSpec& image, const std::string& pointer, Problems& problems) {
+    if (!image.crop) return;
+    const std::array names{"columns", "rows", "slices"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto [first, last] = (*image.crop)[i];
+        demand(last == -1 || first <= last, pointer + "/crop/" + names[i], "the last must not come before the first",
+               problems);
+    }
+}
+
+void check_legend(const ImageSpec& image, const std::string& pointer, Problems& problems) {
+    for (std::size_t k = 0; k < image.legend.size(); ++k) {
+        const LegendEntry& entry = image.legend[k];
+        const std::string at = pointer + "/legend/" + std::to_string(k);
+        if (entry.grey_range)
+            demand((*entry.grey_range)[0] <= (*entry.grey_range)[1], at + "/grey_range",
+                   "the highest grey must not be below the lowest", problems);
+        if (entry.rigid && image.bodies != BodiesBy::legend)
+            problems.push_back({at + "/rigid", "a rigid body is one body; it needs \"bodies\": \"legend\""});
+    }
+}
+
+void check_images(const Scene& scene, Problems& problems) {
     for (std::size_t i = 0; i < scene.images.size(); ++i) {
         const ImageSpec& image = scene.images[i];
         const std::string pointer = "/images/" + std::to_string(i);
         demand(image.particles_per_cell >= 1, pointer + "/particles_per_cell", "must be at least 1", problems);
         if (image.size[0] > 0 && image.size[1] > 0) {
-            const Vector upper{image.lower[0] + image.size[0], image.lower[1] + image.size[1], image.lower[2]};
+            Vector upper = image.lower;
+            for (std::size_t axis = 0; axis < axes(scene); ++axis) upper[axis] += image.size[axis];
             check_inside(image.lower, upper, scene, pointer, problems);
-        } else {
-            demand(image.pixel[0] > 0 && image.pixel[1] > 0, pointer, "needs \"pixel\" or \"size\", greater than 0 m",
-                   problems);
         }
+        demand(fits_dimension(image.connectivity, scene.analysis), pointer + "/connectivity",
+               scene.analysis == Analysis::three_d ? "must be 6, 18 or 26 in a 3d scene"
+                                                   : "must be 4 or 8 in a plane scene",
+               problems);
+        check_crop(image, pointer, problems);
+        check_legend(image, pointer, problems);
     }
 }
 
@@ -146,8 +213,16 @@ void check_images(const Scene& scene, Problems& problems) {
 void validate_matter(const Scene& scene, Problems& problems) {
     if (scene.bodies.empty() && scene.images.empty())
         problems.push_back({"/bodies", "the scene is empty; it needs an entry in \"bodies\" or \"images\""});
+    for (const NamedShapeSpec& named : scene.shapes)
+        std::visit(ShapeCheck{scene, "/shapes/" + pointer_token(named.name), problems}, named.shape);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const std::string pointer = "/bodies/" + std::to_string(i);
+        std::visit(ShapeCheck{scene, pointer, problems}, scene.bodies[i].shape);
+        const BodySpec& body = scene.bodies[i];
+        if (body.arrangement == Arrangement::fitted && scene.analysis == Analysis::three_d)
+            if (const auto* box = std::get_if<Box>(&body.shape); box && box->angle != 0)
+                problems.push_back({pointer + "/arrangement",
+                                    "a box that is turned in 3d can only be filled from the grid's lattice: \"grid\""});
         std::visit(BodyCheck{scene, pointer, problems}, scene.bodies[i].shape);
         demand(scene.bodies[i].particles_per_cell >= 1, pointer + "/particles_per_cell", "must be at least 1",
                problems);

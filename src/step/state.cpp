@@ -11,16 +11,21 @@ namespace {
 LawTable law_table(const ContactSpec& contact, const std::vector<ModelBody>& bodies) {
     LawTable table;
     table.standard = make_contact_law(contact.law);
-    const auto index = [&](const std::string& name) {
-        const auto found =
-            std::find_if(bodies.begin(), bodies.end(), [&](const ModelBody& body) { return body.name == name; });
-        return static_cast<std::int32_t>(found - bodies.begin());
+    // A name may stand for all the bodies that a legend entry makes.
+    const auto indices = [&](const std::string& name) {
+        std::vector<std::int32_t> found;
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+            if (bodies[b].name == name || bodies[b].group == name) found.push_back(static_cast<std::int32_t>(b));
+        return found;
     };
     for (const PairLawSpec& pair : contact.laws) {
-        auto [a, b] = std::minmax(index(pair.bodies[0]), index(pair.bodies[1]));
-        table.pairs.push_back({a, b, make_contact_law(pair.law)});
+        const ContactLaw law = make_contact_law(pair.law);
+        const bool same_group = pair.bodies[0] == pair.bodies[1];
+        for (const std::int32_t a : indices(pair.bodies[0]))
+            for (const std::int32_t b : indices(pair.bodies[1]))
+                if (a < b || (a > b && !same_group)) table.pairs.push_back({std::min(a, b), std::max(a, b), law});
     }
-    std::sort(table.pairs.begin(), table.pairs.end(), [](const LawTable::Pair& x, const LawTable::Pair& y) {
+    std::stable_sort(table.pairs.begin(), table.pairs.end(), [](const LawTable::Pair& x, const LawTable::Pair& y) {
         return std::pair(x.a, x.b) < std::pair(y.a, y.b);
     });
     return table;
@@ -50,6 +55,8 @@ State<D> make_state(const Scene& scene, const Model& model) {
     state.bodies = model.bodies;
     for (const MaterialSpec& spec : scene.materials) state.materials.push_back(make_material(spec));
     for (const Vector& x : model.position) state.initial_position.push_back(to_vec<D>(x));
+    state.temperature = model.temperature;
+    state.orientation = model.orientation;
     state.grid = make_grid<D>(scene.grid);
     state.particles = make_particles<D>(model, scene);
     if (scene.contact) {

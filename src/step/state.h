@@ -64,6 +64,8 @@ struct State {
     std::vector<ModelBody> bodies;
     std::vector<Material> materials;
     std::vector<Vec<D>> initial_position; ///< by particle id
+    std::vector<double> temperature;      ///< [K], by particle id; empty: no body has one
+    std::vector<double> orientation;      ///< of the material's x axis [rad], likewise
     Grid<D> grid;
     Particles<D> particles;
     Tiling<D> tiling;

@@ -1,5 +1,6 @@
 #pragma once
 #include "material/deformation.h"
+#include "material/prestress.h"
 #include "step/state.h"
 
 #include <cmath>
@@ -36,7 +37,10 @@ template <int D, class Law>
     constexpr double absurd = 1e8; // trace of b
     if (!(strain.J > 0 && across > 0 && strain.trace() < absurd)) return -1;
     particles.stress[p] = law.template kirchhoff<D>(strain);
-    return law.template stiffness<D>(strain);
+    if (particles.prestress.empty()) return law.template stiffness<D>(strain);
+    const Stress<D> initial = pushed_forward<D>(particles.prestress[p], F, across);
+    particles.stress[p] += initial;
+    return law.template stiffness<D>(strain) + initial.norm(); // waves feel tension as a string does
 }
 
 } // namespace abut

@@ -181,7 +181,7 @@ TEST(BuildModel, ImageBodyWhoseColourIsAbsent) {
 }
 
 TEST(BuildModel, ImageBodyTooSmallForParticles) {
-    Image image{40, 40, 1, test::Bytes(1600, 255)};
+    Image image{40, 40, 1, std::vector<std::uint16_t>(1600, 255)};
     for (const int k : {820, 821, 860}) image.pixels[k] = 40; // 3 pixels of 0.1, particles of 0.5
     PictureScene test(image);
     test.scene.images[0].pixel = {0.1, 0.1};

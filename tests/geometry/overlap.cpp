@@ -1,6 +1,5 @@
 // Bodies that claim the same place.
 #include "geometry/packing/random.h"
-#include "geometry/shape_particles.h"
 #include "model_support.h"
 
 #include <fmt/format.h>
@@ -49,9 +48,9 @@ TEST(Overlap, AgreesWithBruteForce) {
             scene.bodies.push_back(box(k == 0 ? "a" : "b", lower, upper));
             scene.bodies.back().particles_per_cell = 1 + random.below(4);
         }
-        std::array<ShapeParticles, 2> shape;
+        std::array<test::ShapeParticles, 2> shape;
         for (std::size_t k = 0; k < 2; ++k)
-            shape[k] = shape_particles(scene.bodies[k].shape, scene.bodies[k].particles_per_cell, scene.grid, 2);
+            shape[k] = test::shape_particles(scene.bodies[k].shape, scene.bodies[k].particles_per_cell, scene.grid, 2);
         std::size_t expected = 0;
         for (const Vector& later : shape[1].position)
             expected += std::any_of(shape[0].position.begin(), shape[0].position.end(), [&](const Vector& earlier) {
@@ -116,7 +115,7 @@ TEST(Overlap, InSpaceAgreesWithBruteForce) {
     int overlapping = 0;
     for (int round = 0; round < 60; ++round) {
         Scene scene = unit_scene(6, 3);
-        std::array<ShapeParticles, 2> shape;
+        std::array<test::ShapeParticles, 2> shape;
         for (std::size_t k = 0; k < 2; ++k) {
             Vector lower{}, upper{};
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -125,7 +124,7 @@ TEST(Overlap, InSpaceAgreesWithBruteForce) {
             }
             scene.bodies.push_back(box(k == 0 ? "a" : "b", lower, upper));
             scene.bodies[k].particles_per_cell = 1 + random.below(3);
-            shape[k] = shape_particles(scene.bodies[k].shape, scene.bodies[k].particles_per_cell, scene.grid, 3);
+            shape[k] = test::shape_particles(scene.bodies[k].shape, scene.bodies[k].particles_per_cell, scene.grid, 3);
         }
         const auto within = [](const Vector& a, const Vector& b, const Vector& size) {
             bool all = true;

@@ -1,7 +1,5 @@
 // Boxes, disks and ellipses to particles, in the plane.
-#include "geometry/shape_particles.h"
-
-#include "support.h"
+#include "model_support.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +9,8 @@
 #include <set>
 
 using namespace abut; // NOLINT(google-build-using-namespace): the room under test
+using test::shape_particles;
+using test::ShapeParticles;
 
 namespace {
 

@@ -1,6 +1,5 @@
 // Three-dimensional scenes to particles and models.
 #include "geometry/build_model.h"
-#include "geometry/shape_particles.h"
 #include "model_support.h"
 
 #include <gmock/gmock.h>
@@ -14,6 +13,8 @@
 using namespace abut; // NOLINT(google-build-using-namespace): the room under test
 using test::box;
 using test::problems;
+using test::shape_particles;
+using test::ShapeParticles;
 using test::unit_scene;
 using testing::Each;
 using testing::ElementsAre;

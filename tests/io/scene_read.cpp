@@ -21,6 +21,38 @@ std::string describe(const ShapeSpec& shape) {
     if (const Box* box = std::get_if<Box>(&shape))
         out << "box " << box->lower << ' ' << box->upper << ' ' << box->angle;
     if (const Disk* disk = std::get_if<Disk>(&shape)) out << "disk " << disk->center << ' ' << disk->radius;
+    if (const Ring* ring = std::get_if<Ring>(&shape))
+        out << "ring " << ring->center << ' ' << ring->inner_radius << ' ' << ring->outer_radius;
+    if (const Polygon* polygon = std::get_if<Polygon>(&shape)) {
+        out << "polygon";
+        for (const PlanePoint& point : polygon->points) out << ' ' << point[0] << ' ' << point[1];
+        for (const auto& hole : polygon->holes)
+            for (const PlanePoint& point : hole) out << " hole " << point[0] << ' ' << point[1];
+    }
+    const auto placement = [&](const Placement& p) {
+        out << p.scale << ' ' << p.axis << ' ' << p.angle << ' ' << p.translation;
+    };
+    if (const Path* path = std::get_if<Path>(&shape)) {
+        out << "path " << path->file;
+        placement(path->placement);
+    }
+    if (const Surface* surface = std::get_if<Surface>(&shape)) {
+        out << "surface " << surface->file << surface->repair;
+        placement(surface->placement);
+    }
+    if (const Ellipsoid* ellipsoid = std::get_if<Ellipsoid>(&shape))
+        out << "ellipsoid " << ellipsoid->center << ellipsoid->semi_axes << ellipsoid->axis << ellipsoid->angle;
+    if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape))
+        out << "cylinder " << cylinder->from << cylinder->to << cylinder->radius;
+    if (const Cone* cone = std::get_if<Cone>(&shape))
+        out << "cone " << cone->from << cone->to << cone->radius << ' ' << cone->top_radius;
+    if (const Implicit* implicit = std::get_if<Implicit>(&shape))
+        out << "implicit " << implicit->expression << implicit->unit << implicit->lower << implicit->upper;
+    if (const Combination* combination = std::get_if<Combination>(&shape)) {
+        out << "combination " << int(combination->operation);
+        for (const std::string& name : combination->shapes) out << ' ' << name;
+    }
+    if (const NamedShape* named = std::get_if<NamedShape>(&shape)) out << "shape " << named->name;
     if (const Ball* ball = std::get_if<Ball>(&shape)) out << "ball " << ball->center << ' ' << ball->radius;
     if (const Ellipse* ellipse = std::get_if<Ellipse>(&shape))
         out << "ellipse " << ellipse->center << ' ' << ellipse->semi_axes[0] << ' ' << ellipse->semi_axes[1] << ' '
@@ -32,6 +64,24 @@ std::ostream& operator<<(std::ostream& out, const InitialVelocity& velocity) {
     out << velocity.value << ' ' << velocity.center;
     for (const Vector& row : velocity.gradient) out << ' ' << row;
     return out;
+}
+
+std::ostream& operator<<(std::ostream& out, const InitialState& state) {
+    out << state.angular_velocity << state.temperature.value_or(-1) << state.orientation.value_or(-9);
+    for (const double s : state.stress.value_or(std::array<double, 6>{})) out << ' ' << s;
+    return out;
+}
+
+void describe(std::ostream& out, const ImageSpec& image) {
+    out << image.file << ' ' << image.lower << image.first_row_is_up << image.slice.value_or(-1) << image.quarter_turns
+        << image.turn_axis << int(image.bodies) << image.connectivity << ' ' << image.speckle << ' '
+        << image.split.value_or(-1) << int(image.fill) << image.particles_per_cell;
+    for (std::size_t a = 0; a < 3; ++a) out << ' ' << image.pixel[a] << ' ' << image.size[a] << image.flip[a];
+    if (image.crop)
+        for (const auto& [first, last] : *image.crop) out << ' ' << first << ':' << last;
+    for (const auto& values : {image.temperature, image.orientation})
+        if (values) out << ' ' << values->file << values->black << ' ' << values->white;
+    out << '\n';
 }
 
 std::ostream& operator<<(std::ostream& out, const WallSpec& wall) {
@@ -64,13 +114,15 @@ std::string describe(const Scene& s) {
             << '\n';
     for (const BodySpec& b : s.bodies)
         out << b.name << ' ' << b.material << ' ' << describe(b.shape) << ' ' << b.velocity << ' '
-            << b.particles_per_cell << '\n';
+            << b.particles_per_cell << int(b.fill) << int(b.arrangement.value_or(Arrangement(9))) << b.state << '\n';
+    for (const NamedShapeSpec& shape : s.shapes) out << shape.name << ' ' << describe(shape.shape) << '\n';
+    out << int(s.overlap) << '\n';
     for (const ImageSpec& i : s.images) {
-        out << i.file << ' ' << i.pixel[0] << ' ' << i.pixel[1] << ' ' << i.size[0] << ' ' << i.size[1] << ' '
-            << i.lower << ' ' << i.first_row_is_up << i.particles_per_cell << '\n';
+        describe(out, i);
         for (const LegendEntry& e : i.legend)
             out << e.rgb[0] << ' ' << e.rgb[1] << ' ' << e.rgb[2] << ' ' << e.grey << e.tolerance << e.is_void << e.body
-                << ' ' << e.material << e.velocity << '\n';
+                << ' ' << e.material << e.velocity << e.state
+                << (e.grey_range ? (*e.grey_range)[0] * 100000 + (*e.grey_range)[1] : -1) << '\n';
     }
     if (s.contact) {
         out << int(s.contact->normal) << int(s.contact->separation) << ' ' << s.contact->offset << ' '
@@ -124,8 +176,8 @@ TEST(ReadScene, ExampleOfTheContractContinued) {
     const Scene scene = load_scene(disk.file()).scene;
     ASSERT_EQ(scene.images.size(), 2U);
     EXPECT_EQ(scene.images[0].file, disk.folder() / "bed.png");
-    EXPECT_EQ(scene.images[0].pixel, (std::array{7.14e-6, 7.14e-6}));
-    EXPECT_EQ(scene.images[0].size, (std::array{0.0, 0.0}));
+    EXPECT_EQ(scene.images[0].pixel, (std::array{7.14e-6, 7.14e-6, 7.14e-6}));
+    EXPECT_EQ(scene.images[0].size, (std::array{0.0, 0.0, 0.0}));
     EXPECT_TRUE(scene.images[0].first_row_is_up);
     const std::vector<LegendEntry>& legend = scene.images[0].legend;
     EXPECT_TRUE(legend[0].grey);
@@ -135,7 +187,7 @@ TEST(ReadScene, ExampleOfTheContractContinued) {
     EXPECT_EQ(legend[1].velocity, (Vector{0, -1, 0}));
     EXPECT_TRUE(legend[2].is_void);
     EXPECT_EQ(scene.images[1].file, "/data/top.png");
-    EXPECT_EQ(scene.images[1].size, (std::array{1e-3, 0.5e-3}));
+    EXPECT_EQ(scene.images[1].size, (std::array{1e-3, 0.5e-3, 0.0}));
     EXPECT_FALSE(scene.images[1].first_row_is_up);
 
     ASSERT_TRUE(scene.contact);
@@ -190,7 +242,7 @@ TEST(ReadScene, DefaultsAreThoseOfSceneH) {
 }
 
 TEST(ReadScene, ResolvedSceneIsTheSameScene) {
-    for (const std::string& text : {example, smallest, example_3d, example_axisymmetric,
+    for (const std::string& text : {example, smallest, example_3d, example_axisymmetric, example_models, example_solids,
                                     changed("/time", R"({"end": "15 us", "step": "1 ns"})")}) {
         const SceneOnDisk disk(text);
         const LoadedScene loaded = load_scene(disk.file());

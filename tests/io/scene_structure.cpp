@@ -89,7 +89,7 @@ TEST(SceneStructure, Words) {
         {"/contact/normal", R"("logistic")", "/contact/normal", "did you mean \"logistic-regression\"?"},
         {"/boundaries/0/wall/axis", R"("z")", "/boundaries/0/wall/axis", "plane scenes have the axes x and y"},
         {"/boundaries/0/wall/side", "1", "/boundaries/0/wall/side", "\"lower\" or \"upper\" is needed, not 1"},
-        {"/images/1/top_row", R"("up")", "/images/1/top_row", "allowed: \"top\" and \"bottom\""},
+        {"/images/1/up", R"("top")", "/images/1/up", "allowed: \"first-row\" and \"last-row\""},
     });
 }
 

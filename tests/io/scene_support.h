@@ -49,7 +49,7 @@ inline const std::string example = R"({
                   { "rgb": "#d04020", "tolerance": 6, "body": "grain-02", "material": "aluminium",
                     "velocity": [0, "-1 m/s"] },
                   { "grey": 255, "void": true } ] },
-    { "file": "/data/top.png", "size": ["1 mm", "0.5 mm"], "lower": [0, "1.5 mm"], "top_row": "bottom",
+    { "file": "/data/top.png", "size": ["1 mm", "0.5 mm"], "lower": [0, "1.5 mm"], "up": "last-row",
       "legend": [ { "grey": 0, "body": "grain-01", "material": "aluminium" } ] }
   ],
   "contact": {
@@ -103,6 +103,69 @@ inline const std::string example_3d = R"({
   ],
   "contact": {},
   "gravity": [0, 0, "-9.81 m/s^2"]
+})";
+
+/// A plane scene that uses what makes models: shapes, images, initial states.
+inline const std::string example_models = R"({
+  "grid": { "cell": "1 mm", "lower": [0, 0], "upper": ["100 mm", "100 mm"] },
+  "time": { "end": "1 ms" },
+  "materials": { "clay": { "model": "neo-hookean", "density": 1500, "youngs_modulus": "1 MPa", "poissons_ratio": 0.3 } },
+  "overlap": "last",
+  "shapes": {
+    "plate": { "polygon": { "points": [[0, 0], ["40 mm", 0], ["40 mm", "20 mm"], [0, "20 mm"]],
+                            "holes": [[["5 mm", "5 mm"], ["9 mm", "5 mm"], ["7 mm", "9 mm"]]] } },
+    "eye": { "ring": { "center": ["20 mm", "10 mm"], "inner_radius": "3 mm", "outer_radius": "5 mm" } },
+    "logo": { "path": { "file": "logo.svg", "scale": "0.1 mm", "angle": "90 deg", "translation": ["50 mm", 0] } },
+    "rest": { "difference": ["plate", "eye"] },
+    "both": { "intersection": ["plate", "logo"] }
+  },
+  "bodies": [
+    { "name": "frame", "material": "clay", "shape": "rest", "fill": "covered-fraction", "arrangement": "fitted",
+      "velocity": ["1 m/s", 0], "angular_velocity": "30 rad/s", "temperature": "300 K", "orientation": "20 deg",
+      "stress": { "xx": "1 MPa", "zz": "0.3 MPa", "xy": "-10 kPa" } },
+    { "name": "all", "material": "clay", "union": ["eye", "logo"] }
+  ],
+  "images": [
+    { "file": "ct_*.tif", "slice": 12, "pixel": ["0.1 mm", "0.2 mm"], "lower": [0, "50 mm"], "up": "first-row",
+      "crop": { "columns": [10, 109], "rows": [0, 49] }, "flip": ["x", "y"], "quarter_turns": 3, "bodies": "by-component",
+      "connectivity": 8, "split": 1.5, "speckle": 20, "fill": "covered-fraction",
+      "legend": [ { "grey_range": [20000, 65535], "body": "grain", "material": "clay", "temperature": 350,
+                    "angular_velocity": 2 },
+                  { "grey_range": [0, 19999], "void": true } ],
+      "temperature": { "file": "heat.png", "black": "300 K", "white": "400 K" },
+      "orientation": { "file": "axes.png", "black": 0, "white": "180 deg" } }
+  ],
+  "contact": { "laws": [ { "bodies": ["grain", "frame"], "law": { "type": "stick" } },
+                         { "bodies": ["grain", "grain"], "law": { "type": "stick" } },
+                         { "bodies": ["grain-07", "all"], "law": { "type": "perfect" } } ] }
+})";
+
+/// The same in three dimensions.
+inline const std::string example_solids = R"({
+  "analysis": "3d",
+  "grid": { "cell": "1 mm", "lower": [0, 0, 0], "upper": ["100 mm", "100 mm", "100 mm"] },
+  "time": { "end": "1 ms" },
+  "materials": { "clay": { "model": "neo-hookean", "density": 1500, "youngs_modulus": "1 MPa", "poissons_ratio": 0.3 } },
+  "shapes": {
+    "rod": { "cylinder": { "from": [0, 0, 0], "to": [0, 0, "20 mm"], "radius": "3 mm" } },
+    "tip": { "cone": { "from": [0, 0, "20 mm"], "to": [0, 0, "25 mm"], "radius": "3 mm", "top_radius": "1 mm" } },
+    "pencil": { "union": ["rod", "tip"] },
+    "drop": { "implicit": { "expression": "x^2 + y^2 + z^2 - 1", "unit": "5 mm", "lower": ["-6 mm", "-6 mm", "-6 mm"],
+                            "upper": ["6 mm", "6 mm", "6 mm"] } }
+  },
+  "bodies": [
+    { "name": "pencil", "material": "clay", "shape": "pencil", "angular_velocity": [0, 0, "3 rad/s"] },
+    { "name": "egg", "material": "clay", "ellipsoid": { "center": ["50 mm", "50 mm", "50 mm"],
+      "semi_axes": ["5 mm", "6 mm", "7 mm"], "axis": [1, 1, 0], "angle": "30 deg" }, "stress": { "yz": 1000 } },
+    { "name": "part", "material": "clay", "surface": { "file": "part.stl", "scale": "1 mm", "axis": [0, 1, 0],
+      "angle": "90 deg", "translation": [0, 0, "10 mm"], "repair": true } },
+    { "name": "brick", "material": "clay", "box": { "lower": ["80 mm", "80 mm", "80 mm"],
+      "upper": ["90 mm", "90 mm", "90 mm"], "angle": "20 deg", "axis": [1, 0, 0] } }
+  ],
+  "images": [
+    { "file": "stack.tif", "pixel": "50 um", "lower": [0, "50 mm", 0], "crop": { "slices": [3, 99] }, "quarter_turns": 1,
+      "turn_axis": "x", "legend": [ { "grey": 255, "body": "grain", "material": "clay" }, { "grey": 0, "void": true } ] }
+  ]
 })";
 
 /// A small axisymmetric scene.
