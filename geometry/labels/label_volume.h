@@ -14,9 +14,7 @@ struct LabelVolume {
     std::array<int, 3> size{};       ///< pixels along x, y, z
     std::vector<std::int32_t> label; ///< 0 void, k > 0: body k - 1 (or what else it is said to be)
 
-    std::size_t index(int i, int j, int k) const {
-        return (static_cast<std::size_t>(k) * size[1] + j) * size[0] + i;
-    }
+    std::size_t index(int i, int j, int k) const { return (static_cast<std::size_t>(k) * size[1] + j) * size[0] + i; }
     std::int32_t at(int i, int j, int k) const { return label[index(i, j, k)]; }
 };
 
