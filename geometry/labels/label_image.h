@@ -2,11 +2,14 @@
 /// \file label_image.h
 /// From the file of a picture or a stack to bodies: legend, crop, flip, turn, speckles, colours or components.
 
+#include "geometry/images/image.h"
 #include "geometry/labels/label_volume.h"
 #include "geometry/labels/legend.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,30 +29,36 @@ struct LabelledImage {
     std::vector<std::int64_t>
         pixels_of_entry;                    ///< per legend entry, of the part that is used, before speckles are removed
     std::vector<UnmatchedColour> unmatched; ///< colours that no entry covers, most frequent first; their label is 0
-    std::array<double, 3> spacing{};        ///< size of a pixel that the file states [m]; 0: none
+    std::array<double, 3> spacing{};        ///< size of a pixel along x, y, z that the file states [m]; 0: none
     std::int64_t speckle_pixels = 0;        ///< pixels that changed hands
     int speckles = 0;                       ///< components that did
 };
 
-/// Reads an image and finds its bodies, in this order: crop, legend, flip, turn, speckles, bodies.
-/// Plane scenes: one slice (spec.slice, or the only one). 3D: all slices; the first is the lowest.
+/// More bodies than this are taken for noise.
+inline constexpr std::int32_t most_bodies = 100000;
+
+/// Reads an image and finds its bodies, in this order: crop, legend, flip, turn (see pixel_order()), speckles, bodies.
+/// Plane scenes: one slice (spec.slice, or the only one; the crop's slices are not used). 3D: all slices; the first is
+/// the lowest.
+/// Speckles are connected components of what is one body by the legend: of a body's name (BodiesBy::legend), a colour
+/// (colour), or an entry (component); those of void are holes. Components are divided at necks after that.
 /// Body names: BodiesBy::legend: the entry's, in order of first appearance in the legend (also those without pixels).
-/// colour: the entry's name, "-" and the grey with as many digits as the largest has, or the six hexadecimal digits, in
-/// ascending order of colour. component: the entry's name, "-" and a number from 1 with as many digits as the
-/// last needs, counted over all entries of that name, in the order in which x, y, z scanning first meets them.
+/// colour: the entry's name, "-" and the grey with as many digits as the largest of that name has, or, where not all
+/// colours of that name are grey, six hexadecimal digits (twelve where one is beyond 255), in ascending order of
+/// colour; only colours that have pixels left. component: the entry's name, "-" and a number from 1 with as many digits
+/// as the last needs, counted over all entries of that name, in the order in which x, y, z scanning first meets them.
 /// \param file the file to read (spec.file, made absolute)
 /// \throws std::runtime_error when the file can't be read, is a stack where one picture is needed, or does not have the
-/// pixels that crop or slice name; what() can stand after "/images/0/file: "
+/// pixels that crop or slice name; when connectivity or turn does not fit the dimension, or there are more than
+/// most_bodies; what() can stand after "/images/0/file: "
 LabelledImage label_image(const ImageSpec& spec, int dimension, const std::filesystem::path& file);
 
-/// Greys of a second image.
-struct ValueVolume {
-    LabelVolume volume; ///< grey of each pixel
-    int highest = 255;  ///< grey that is white: 255 or 65535
-};
+/// Calls `visit` for the slices first .. last in order, as read_stack().
+using ReadSlices =
+    std::function<void(int first, int last, const std::function<void(int slice, const Image& image)>& visit)>;
 
-/// Reads a grey image of the same frame as the image of the bodies: the same crop, flip and turn.
-/// \throws std::runtime_error as label_image(), and for colours
-ValueVolume value_image(const ImageSpec& spec, int dimension, const std::filesystem::path& file);
+/// label_image() of a stack from anywhere. Memory: 16 bytes per pixel that is used while it runs, 4 in the end. Pixels
+/// are given memory as their slices come.
+LabelledImage label_stack(const ImageSpec& spec, int dimension, const StackInfo& info, const ReadSlices& read);
 
 } // namespace abut

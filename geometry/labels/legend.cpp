@@ -4,91 +4,89 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <unordered_map>
+#include <limits>
 
 namespace abut {
 
-namespace {
-
-constexpr int no_entry = -1;
-
 int matching_entry(const std::array<int, 3>& rgb, const std::vector<LegendEntry>& legend) {
-    int best = no_entry;
-    int best_difference = 256;
-    for (std::size_t entry = 0; entry < legend.size(); ++entry) {
-        int difference = 0;
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            difference = std::max(difference, std::abs(rgb[channel] - legend[entry].rgb[channel]));
-        if (difference <= legend[entry].tolerance && difference < best_difference) {
-            best = static_cast<int>(entry);
-            best_difference = difference;
-        }
-    }
-    return best;
-}
-
-/// Label of each legend entry; appends to `bodies` the names it meets for the first time.
-std::vector<int> labels_of_entries(const std::vector<LegendEntry>& legend, std::vector<std::string>& bodies) {
-    std::vector<int> labels;
-    std::unordered_map<std::string, int> known;
-    for (const LegendEntry& entry : legend) {
-        if (entry.is_void) {
-            labels.push_back(0);
+    const bool is_grey = rgb[0] == rgb[1] && rgb[1] == rgb[2];
+    int best = no_entry, best_in_range = no_entry;
+    int least_difference = std::numeric_limits<int>::max(), least_width = std::numeric_limits<int>::max();
+    for (std::size_t k = 0; k < legend.size(); ++k) {
+        const LegendEntry& entry = legend[k];
+        if (entry.grey_range) {
+            const auto [lowest, highest] = *entry.grey_range;
+            if (!is_grey || rgb[0] < lowest || rgb[0] > highest || highest - lowest >= least_width) continue;
+            best_in_range = static_cast<int>(k);
+            least_width = highest - lowest;
             continue;
         }
-        const auto [found, is_new] = known.try_emplace(entry.body, static_cast<int>(bodies.size()) + 1);
-        if (is_new) bodies.push_back(entry.body);
-        labels.push_back(found->second);
+        int difference = 0;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            difference = std::max(difference, std::abs(rgb[channel] - entry.rgb[channel]));
+        if (difference > entry.tolerance || difference >= least_difference) continue;
+        best = static_cast<int>(k);
+        least_difference = difference;
     }
-    return labels;
+    return best != no_entry ? best : best_in_range;
 }
 
-} // namespace
+std::string colour_name(const std::array<int, 3>& rgb) {
+    if (rgb[0] == rgb[1] && rgb[1] == rgb[2]) return fmt::format("grey {}", rgb[0]);
+    const int digits = *std::max_element(rgb.begin(), rgb.end()) > 255 ? 4 : 2;
+    return fmt::format("#{:0{}x}{:0{}x}{:0{}x}", rgb[0], digits, rgb[1], digits, rgb[2], digits);
+}
 
-LabelledPicture label_pixels(const Image& image, const std::vector<LegendEntry>& legend) {
-    LabelledPicture result;
-    result.width = image.width;
-    result.height = image.height;
-    result.pixels_of_entry.assign(legend.size(), 0);
-    const std::vector<int> label_of_entry = labels_of_entries(legend, result.bodies);
+std::int32_t ColourTable::number(const std::array<int, 3>& rgb) {
+    const auto next = static_cast<std::int32_t>(colours_.size());
+    std::int32_t* number = nullptr;
+    if (rgb[0] == rgb[1] && rgb[1] == rgb[2]) {
+        number = &grey_[static_cast<std::size_t>(rgb[0])];
+        if (*number < 0) *number = next;
+    } else {
+        std::uint64_t key = 0;
+        for (const int channel : rgb) key = (key << 16) | static_cast<std::uint64_t>(channel);
+        number = &other_.try_emplace(key, next).first->second;
+    }
+    if (*number == next) colours_.push_back({rgb, 0});
+    return *number;
+}
 
-    struct Colour {
-        int entry = no_entry;
-        std::int64_t pixels = 0;
-    };
-    std::unordered_map<int, Colour> colours; // each colour is matched once, however many pixels have it
-    int last_key = -1;
-    Colour* colour = nullptr;
-    result.label.reserve(static_cast<std::size_t>(image.width) * image.height);
-    for (int row = 0; row < image.height; ++row) {
-        for (int column = 0; column < image.width; ++column) {
+std::vector<std::int32_t> ColourTable::count(const Image& image, const std::array<int, 2>& columns,
+                                             const std::array<int, 2>& rows) {
+    std::vector<std::int32_t> numbers;
+    numbers.reserve(static_cast<std::size_t>(columns[1] - columns[0] + 1) * (rows[1] - rows[0] + 1));
+    std::array<int, 3> last{-1, -1, -1};
+    std::int32_t last_number = 0;
+    for (int row = rows[0]; row <= rows[1]; ++row) {
+        for (int column = columns[0]; column <= columns[1]; ++column) {
             const std::array<int, 3> rgb = image.rgb(column, row);
-            const int key = (rgb[0] << 16) | (rgb[1] << 8) | rgb[2];
-            if (colour == nullptr || key != last_key) { // neighbours mostly have the same colour
-                const auto [found, is_new] = colours.try_emplace(key);
-                if (is_new) found->second.entry = matching_entry(rgb, legend);
-                colour = &found->second; // stays valid: a rehash moves no element
-                last_key = key;
+            if (rgb != last) { // neighbours mostly have the same colour
+                last_number = number(rgb);
+                last = rgb;
             }
-            ++colour->pixels;
-            result.label.push_back(colour->entry == no_entry ? 0 : label_of_entry[colour->entry]);
+            ++colours_[static_cast<std::size_t>(last_number)].pixels;
+            numbers.push_back(last_number);
         }
     }
-    for (const auto& [key, found] : colours) {
-        if (found.entry == no_entry)
-            result.unmatched.push_back({{key >> 16, (key >> 8) & 255, key & 255}, found.pixels});
+    return numbers;
+}
+
+MatchedColours match_colours(const std::vector<ColourTable::Colour>& colours, const std::vector<LegendEntry>& legend) {
+    MatchedColours result;
+    result.pixels_of_entry.assign(legend.size(), 0);
+    for (const ColourTable::Colour& colour : colours) {
+        const int entry = matching_entry(colour.rgb, legend);
+        result.entry.push_back(entry);
+        if (entry == no_entry)
+            result.unmatched.push_back({colour.rgb, colour.pixels});
         else
-            result.pixels_of_entry[found.entry] += found.pixels;
+            result.pixels_of_entry[static_cast<std::size_t>(entry)] += colour.pixels;
     }
     std::sort(result.unmatched.begin(), result.unmatched.end(), [](const UnmatchedColour& a, const UnmatchedColour& b) {
         return a.pixels != b.pixels ? a.pixels > b.pixels : a.rgb < b.rgb;
     });
     return result;
-}
-
-std::string colour_name(const std::array<int, 3>& rgb) {
-    if (rgb[0] == rgb[1] && rgb[1] == rgb[2]) return fmt::format("grey {}", rgb[0]);
-    return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
 } // namespace abut
