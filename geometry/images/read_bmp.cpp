@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace abut::formats {
@@ -63,7 +64,7 @@ Header read_header(const Bytes& bytes) {
     } else {
         throw std::runtime_error("is damaged: its BMP header is of no known kind");
     }
-    if (header.width <= 0 || header.height == 0) throw std::runtime_error("has no pixels (its width or height is 0)");
+    check_pixels(header.width, std::abs(header.height));
     const int bits = header.bits;
     if (bits != 1 && bits != 4 && bits != 8 && bits != 24 && bits != 32)
         throw std::runtime_error(fmt::format("is a BMP of {} bits per pixel; save it with 8 or 24", bits));
@@ -72,6 +73,11 @@ Header read_header(const Bytes& bytes) {
 }
 
 } // namespace
+
+PictureSize bmp_size(const Bytes& start) {
+    const Header header = read_header(start);
+    return {static_cast<int>(header.width), static_cast<int>(std::abs(header.height)), 8};
+}
 
 Image read_bmp(const Bytes& bytes) {
     const Header header = read_header(bytes);

@@ -1,9 +1,9 @@
 // Through libtiff itself: VTK 9.1's reader returns some kinds of TIFF upside down and others (bilevel, CMYK, alpha)
 // wrong.
-#include "geometry/images/formats.h"
+#include "geometry/images/open_tiff.h"
+#include "geometry/images/tiff_page.h"
 
 #include <fmt/format.h>
-#include <tiffio.h>
 
 #include <memory>
 #include <stdexcept>
@@ -12,69 +12,84 @@ namespace abut::formats {
 
 namespace {
 
-/// libtiff prints its errors to stderr; ours go into exceptions instead.
-class QuietTiff {
+/// The pages of a TIFF file that are slices, one after the other.
+class Pages {
 public:
-    QuietTiff() : error_(TIFFSetErrorHandler(nullptr)), warning_(TIFFSetWarningHandler(nullptr)) {}
-    ~QuietTiff() {
-        TIFFSetErrorHandler(error_);
-        TIFFSetWarningHandler(warning_);
+    explicit Pages(const std::filesystem::path& file) : file_(file), size_(std::filesystem::file_size(file)) {
+        rewind();
     }
-    QuietTiff(const QuietTiff&) = delete;
-    QuietTiff& operator=(const QuietTiff&) = delete;
+
+    void rewind() {
+        // What libtiff allocates: tables of a directory, a strip as it is stored, and rows for its decoders.
+        constexpr std::ptrdiff_t for_rows = std::ptrdiff_t{1} << 26;
+        tiff_ = open_tiff_quietly(file_, "rm", for_rows + static_cast<std::ptrdiff_t>(16 * size_));
+        if (!tiff_) throw std::runtime_error("is damaged or incomplete");
+        slice_ = -1;
+        begun_ = false;
+    }
+
+    /// Goes to the next page that is a slice. \return false after the last
+    bool next() {
+        do {
+            if (begun_ && TIFFLastDirectory(tiff_.get())) return false;
+            if (begun_ && !TIFFReadDirectory(tiff_.get())) throw std::runtime_error("is damaged or incomplete");
+            begun_ = true;
+        } while (thumbnail_or_mask());
+        ++slice_;
+        return true;
+    }
+
+    int slice() const { return slice_; } ///< -1 before the first
+    TiffPage page() const { return tiff_page(tiff_.get(), static_cast<double>(size_)); }
+    Image pixels() const { return read_tiff_page(tiff_.get(), page()); }
 
 private:
-    TIFFErrorHandler error_, warning_;
+    std::filesystem::path file_;
+    std::uintmax_t size_;
+    Tiff tiff_;
+    int slice_ = -1;
+    bool begun_ = false; ///< opening a file reads its first page
+
+    bool thumbnail_or_mask() const {
+        std::uint32_t kind = 0;
+        TIFFGetFieldDefaulted(tiff_.get(), TIFFTAG_SUBFILETYPE, &kind);
+        return (kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0;
+    }
 };
 
-struct Close {
-    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-};
-
-std::uint16_t tag(TIFF* tiff, std::uint32_t name) {
-    std::uint16_t value = 0;
-    TIFFGetFieldDefaulted(tiff, name, &value);
-    return value;
+std::string words(const PictureSize& size) {
+    return fmt::format("{} x {} pixels of {} bits", size.width, size.height, size.bits);
 }
 
 } // namespace
 
-Image read_tiff(const std::filesystem::path& file) {
-    const QuietTiff quiet;
-    const std::unique_ptr<TIFF, Close> tiff(TIFFOpen(file.c_str(), "r"));
-    if (!tiff) throw std::runtime_error("is damaged or incomplete");
-    const int pages = TIFFNumberOfDirectories(tiff.get());
-    if (pages > 1) throw std::runtime_error(fmt::format("is a stack of {} pages; save one page as a picture", pages));
-
-    const int bits = tag(tiff.get(), TIFFTAG_BITSPERSAMPLE);
-    if (bits == 16) throw std::runtime_error("has 16 bit; save it with 8 bits per channel");
-    if (bits > 8) throw std::runtime_error(fmt::format("has {} bit; save it with 8 bits per channel", bits));
-    std::uint32_t width = 0, height = 0;
-    TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
-    TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
-    if (width == 0 || height == 0) throw std::runtime_error("has no pixels (its width or height is 0)");
-    char reason[1024] = "";
-    if (!TIFFRGBAImageOK(tiff.get(), reason))
-        throw std::runtime_error(fmt::format("is a kind of TIFF that cannot be read ({})", reason));
-
-    std::vector<std::uint32_t> raster(static_cast<std::size_t>(width) * height);
-    constexpr int stop_on_error = 1;
-    if (!TIFFReadRGBAImageOriented(tiff.get(), width, height, raster.data(), ORIENTATION_TOPLEFT, stop_on_error))
-        throw std::runtime_error("is damaged or incomplete");
-
-    const int kind = tag(tiff.get(), TIFFTAG_PHOTOMETRIC);
-    const bool grey = (kind == PHOTOMETRIC_MINISBLACK || kind == PHOTOMETRIC_MINISWHITE);
-    Image image{static_cast<int>(width), static_cast<int>(height), grey ? 2 : 4, {}};
-    image.pixels.reserve(raster.size() * image.channels);
-    for (const std::uint32_t pixel : raster) {
-        image.pixels.push_back(TIFFGetR(pixel));
-        if (!grey) {
-            image.pixels.push_back(TIFFGetG(pixel));
-            image.pixels.push_back(TIFFGetB(pixel));
+StackInfo tiff_info(const std::filesystem::path& file) {
+    Pages pages(file);
+    PictureSize first;
+    while (pages.next()) {
+        PictureSize size;
+        try {
+            size = pages.page().size();
+        } catch (const std::runtime_error& error) {
+            if (pages.slice() == 0) throw;
+            throw std::runtime_error(fmt::format("{} (its page {})", error.what(), pages.slice() + 1));
         }
-        image.pixels.push_back(TIFFGetA(pixel));
+        if (pages.slice() == 0) first = size;
+        if (size != first)
+            throw std::runtime_error(fmt::format("is a stack of unequal slices: page {} has {}, the first has {}",
+                                                 pages.slice() + 1, words(size), words(first)));
     }
-    return image;
+    if (pages.slice() < 0) throw std::runtime_error("holds thumbnails or masks only, no picture");
+    return {first.width, first.height, pages.slice() + 1, first.bits, {}};
+}
+
+SliceReader open_tiff(const std::filesystem::path& file) {
+    return [pages = std::make_shared<Pages>(file)](int slice) {
+        if (slice <= pages->slice()) pages->rewind();
+        while (pages->slice() < slice)
+            if (!pages->next()) throw std::runtime_error("is damaged or incomplete");
+        return pages->pixels();
+    };
 }
 
 } // namespace abut::formats

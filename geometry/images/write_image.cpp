@@ -1,11 +1,8 @@
 #include "geometry/images/image.h"
 
+#include "geometry/images/write_formats.h"
+
 #include <fmt/format.h>
-#include <vtkBMPWriter.h>
-#include <vtkErrorCode.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
 
 #include <algorithm>
 #include <cctype>
@@ -28,45 +25,64 @@ struct RemoveAtEnd {
     }
 };
 
-template <class Writer>
-void write_with(const Image& image, const std::filesystem::path& file) {
-    vtkNew<vtkImageData> picture;
-    picture->SetDimensions(image.width, image.height, 1);
-    picture->AllocateScalars(VTK_UNSIGNED_CHAR, image.channels);
-    const std::size_t row_bytes = static_cast<std::size_t>(image.width) * image.channels;
-    auto* target = static_cast<std::uint8_t*>(picture->GetScalarPointer());
-    for (int row = 0; row < image.height; ++row) // VTK's row 0 is the lowest
-        std::copy_n(image.pixels.data() + row_bytes * row, row_bytes, target + row_bytes * (image.height - 1 - row));
+std::string extension_of(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return extension == ".tiff" ? ".tif" : extension;
+}
 
-    vtkNew<Writer> writer;
-    writer->SetFileName(file.c_str());
-    writer->SetInputData(picture);
-    writer->Write();
-    if (writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError) throw std::runtime_error("the disk is full");
-    if (writer->GetErrorCode() != vtkErrorCode::NoError) throw std::runtime_error("the picture could not be written");
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
+    throw std::runtime_error(fmt::format("cannot write \"{}\": {}", file.string(), reason));
+}
+
+/// Lets \p write make the file under another name, and then renames it.
+void write_whole(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write) {
+    // Beside the target, so that the rename stays within one file system.
+    const RemoveAtEnd temporary{file.string() + fmt::format(".{}.part", getpid())};
+    if (!std::ofstream(temporary.file)) fail(file, "no such folder, or no permission");
+    try {
+        write(temporary.file);
+        std::filesystem::rename(temporary.file, file);
+    } catch (const std::exception& error) {
+        fail(file, error.what());
+    }
 }
 
 } // namespace
 
+void formats::check_image(const Image& image) {
+    if (image.width <= 0 || image.height <= 0) throw std::runtime_error("the picture has no pixels");
+    if ((image.channels != 1 && image.channels != 3) || (image.bits != 8 && image.bits != 16) ||
+        image.pixels.size() != static_cast<std::size_t>(image.width) * image.height * image.channels)
+        throw std::runtime_error("the picture is neither grey nor RGB of 8 or 16 bits");
+    if (image.bits == 8 &&
+        std::any_of(image.pixels.begin(), image.pixels.end(), [](auto value) { return value > 255; }))
+        throw std::runtime_error("the picture has a number above 255, more than 8 bits hold");
+}
+
 void write_image(const Image& image, const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    if (extension != ".png" && extension != ".bmp")
-        throw std::runtime_error(fmt::format("cannot write \"{}\": the name must end in .png or .bmp", file.string()));
-    // Beside the target, so that the rename stays within one file system.
-    const RemoveAtEnd temporary{file.string() + fmt::format(".{}.part", getpid())};
-    try {
-        // VTK's writers print when the file cannot be opened; so we find out before they do.
-        if (!std::ofstream(temporary.file)) throw std::runtime_error("no such folder, or no permission");
+    const std::string extension = extension_of(file);
+    if (extension != ".png" && extension != ".bmp" && extension != ".tif")
+        fail(file, "the name must end in .png, .bmp or .tif");
+    if (extension == ".bmp" && image.bits != 8)
+        fail(file, fmt::format("BMP holds 8 bits, the picture has {}; write PNG or TIFF", image.bits));
+    write_whole(file, [&](const std::filesystem::path& temporary) {
+        formats::check_image(image);
         if (extension == ".png")
-            write_with<vtkPNGWriter>(image, temporary.file);
+            formats::write_png(image, temporary);
+        else if (extension == ".bmp")
+            formats::write_bmp(image, temporary);
         else
-            write_with<vtkBMPWriter>(image, temporary.file);
-        std::filesystem::rename(temporary.file, file);
-    } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format("cannot write \"{}\": {}", file.string(), error.what()));
-    }
+            formats::write_tiff(
+                1, [&](int) { return image; }, temporary);
+    });
+}
+
+void write_stack(int slices, const std::function<Image(int slice)>& slice, const std::filesystem::path& file) {
+    if (extension_of(file) != ".tif") fail(file, "the name of a stack must end in .tif or .tiff");
+    if (slices < 1) fail(file, "a stack has at least 1 slice");
+    write_whole(file, [&](const std::filesystem::path& temporary) { formats::write_tiff(slices, slice, temporary); });
 }
 
 } // namespace abut
