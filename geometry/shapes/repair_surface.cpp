@@ -14,7 +14,6 @@
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <fmt/format.h>
 
@@ -71,8 +70,12 @@ void remove_flat_triangles(SurfaceMesh& surface, Repairs& repairs) {
     std::vector<SurfaceMesh::Face_index> flat;
     PMP::degenerate_faces(surface, std::back_inserter(flat));
     if (flat.empty()) return;
-    PMP::remove_degenerate_faces(surface);
-    surface.collect_garbage();
+    if (flat.size() == surface.number_of_faces()) { // CGAL would leave a broken mesh
+        surface = SurfaceMesh();
+    } else {
+        PMP::remove_degenerate_faces(surface);
+        surface.collect_garbage();
+    }
     repairs.push_back(fmt::format("removed {} without area", count_text(flat.size(), "triangle")));
 }
 
@@ -84,7 +87,9 @@ void close_holes(SurfaceMesh& surface, Repairs& repairs) {
     for (const auto rim : rims) {
         std::size_t edges = 0;
         for (auto h = surface.next(rim); ++edges <= largest_hole && h != rim;) h = surface.next(h);
-        if (edges > largest_hole) continue;
+        // A triangle by itself is no rim of a hole, though CGAL would put a second one onto it.
+        const bool alone = surface.face(surface.opposite(rim)) == surface.face(surface.opposite(surface.next(rim)));
+        if (edges > largest_hole || (edges == 3 && alone)) continue;
         std::vector<SurfaceMesh::Face_index> patch;
         PMP::triangulate_hole(surface, rim, std::back_inserter(patch));
         closed += patch.empty() ? 0 : 1;
@@ -173,22 +178,6 @@ std::vector<std::string> repair_surface(TriangleMesh& mesh) {
     if (turned > 0)
         repairs.push_back(fmt::format("turned {} that faced the wrong way", count_text(turned, "triangle")));
     return repairs;
-}
-
-std::vector<std::array<int, 3>> divide_polygon(const std::vector<Vector>& corners) {
-    SurfaceMesh surface;
-    std::vector<SurfaceMesh::Vertex_index> vertices;
-    vertices.reserve(corners.size());
-    for (const Vector& x : corners) vertices.push_back(surface.add_vertex(to_point(x)));
-    const SurfaceMesh::Face_index face = surface.add_face(vertices);
-    std::vector<std::array<int, 3>> triangles;
-    try {
-        if (face == SurfaceMesh::null_face() || !PMP::triangulate_face(face, surface)) return {};
-    } catch (const std::exception&) {
-        return {}; // constraints that cross
-    }
-    for (const auto& triangle : from_surface_mesh(surface).triangles) triangles.push_back(triangle);
-    return triangles.size() + 2 == corners.size() ? triangles : std::vector<std::array<int, 3>>{};
 }
 
 } // namespace abut

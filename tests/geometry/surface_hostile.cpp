@@ -55,7 +55,7 @@ int attack(int count, bool repair, std::uint64_t seed) {
     const std::vector<Faces> meshes{faces_of(tetrahedron()), quad_cube(), faces_of(icosphere(0)),
                                     faces_of(together(cube(), cube({0.5, 0.25, 0.125})))};
     const Folder folder;
-    int good = 0;
+    int good = 0, written = 0; // files are not written over: some file systems then wait for the disk
     for (int i = 0; i < count; ++i)
         for (const Faces& mesh : meshes)
             for (const auto& [name, bytes] : every_format(mesh)) {
@@ -63,7 +63,8 @@ int attack(int count, bool repair, std::uint64_t seed) {
                 const Bytes file = damaged(bytes, random);
                 abut::Surface spec;
                 spec.repair = repair;
-                const auto path = folder.write("damaged" + std::filesystem::path(name).extension().string(), file);
+                const auto path = folder.write(
+                    "damaged" + std::to_string(written++) + std::filesystem::path(name).extension().string(), file);
                 try {
                     const abut::RepairedMesh result = abut::read_surface(spec, path);
                     EXPECT_TRUE(abut::surface_problems(result.mesh).empty()) << name;
