@@ -14,6 +14,7 @@ fi
 packages=(
     g++ cmake ninja-build pkg-config ccache
     libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev libhdf5-dev
+    libcgal-dev libmuparser-dev
     libvtk9-dev libegl-dev libgl1-mesa-dri # pictures are rendered through EGL, without a display
     libgtest-dev libgmock-dev libbenchmark-dev
     "$@"

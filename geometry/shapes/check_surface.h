@@ -42,8 +42,9 @@ std::vector<std::string> surface_problems(const TriangleMesh& mesh);
 /// have several points at the same place, where sheets only touch.
 std::vector<std::string> repair_surface(TriangleMesh& mesh);
 
-/// Divides a polygon of more than three corners into triangles, plane or not: by what it looks like along that axis which
-/// is closest to its mean normal. Indices into `corners`; empty if its outline, seen so, touches or crosses itself.
+/// Divides a polygon of more than three corners into triangles, plane or not: by what it looks like along that axis
+/// which is closest to its mean normal. Indices into `corners`; empty if its outline, seen so, touches or crosses
+/// itself.
 std::vector<std::array<int, 3>> divide_polygon(const std::vector<Vector>& corners);
 
 /// Makes CGAL throw where its checks fail, and say nothing. \throws nothing

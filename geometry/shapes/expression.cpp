@@ -21,7 +21,7 @@ Expression::Expression(const std::string& text) : parser_(std::make_unique<Parse
         mu::Parser& parser = parser_->parser;
         parser.ResetLocale(); // "." whatever the user's language
         parser.EnableOptimizer(true);
-        parser.DefineVar("x", &parser_->variables[0]);
+        parser.DefineVar("x", parser_->variables.data());
         parser.DefineVar("y", &parser_->variables[1]);
         parser.DefineVar("z", &parser_->variables[2]);
         parser.DefineConst("pi", std::numbers::pi);

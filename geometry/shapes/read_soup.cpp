@@ -122,7 +122,7 @@ PolygonSoup read_stl_text(std::string_view bytes) {
             continue;
         }
         if (word != "facet")
-            scanner.fail(fmt::format("\"facet\" or \"endsolid\" expected, not \"{}\"", scanner.shown(word)));
+            scanner.fail(fmt::format("\"facet\" or \"endsolid\" expected, not \"{}\"", TextScanner::shown(word)));
         scanner.next_line(); // normals are what the corners say
         if (lower_case(scanner.word()) != "outer" || lower_case(scanner.word()) != "loop")
             scanner.left() == 0 ? cut_off() : scanner.fail("\"outer loop\" expected");
@@ -130,7 +130,8 @@ PolygonSoup read_stl_text(std::string_view bytes) {
             const std::string item = lower_case(scanner.word());
             if (item == "endloop") break;
             if (item.empty()) cut_off();
-            if (item != "vertex") scanner.fail(fmt::format("\"vertex\" expected, not \"{}\"", scanner.shown(item)));
+            if (item != "vertex")
+                scanner.fail(fmt::format("\"vertex\" expected, not \"{}\"", TextScanner::shown(item)));
             Vector x{};
             for (double& coordinate : x) coordinate = scanner.number();
             soup.corners.push_back(static_cast<int>(soup.points.size()));
@@ -219,7 +220,7 @@ PolygonSoup read_obj(std::string_view bytes) {
 
 PolygonSoup read_polygon_soup(const std::filesystem::path& file) {
     try {
-        const PolygonSoup soup = read_by_format(read_bytes(file), lower_case(file.extension().string()));
+        PolygonSoup soup = read_by_format(read_bytes(file), lower_case(file.extension().string()));
         if (soup.faces() == 0) throw std::runtime_error("has no faces");
         return soup;
     } catch (const std::runtime_error& error) {

@@ -70,12 +70,8 @@ void remove_flat_triangles(SurfaceMesh& surface, Repairs& repairs) {
     std::vector<SurfaceMesh::Face_index> flat;
     PMP::degenerate_faces(surface, std::back_inserter(flat));
     if (flat.empty()) return;
-    if (flat.size() == surface.number_of_faces()) { // CGAL would leave a broken mesh
-        surface = SurfaceMesh();
-    } else {
-        PMP::remove_degenerate_faces(surface);
-        surface.collect_garbage();
-    }
+    PMP::remove_degenerate_faces(surface);
+    surface.collect_garbage();
     repairs.push_back(fmt::format("removed {} without area", count_text(flat.size(), "triangle")));
 }
 
@@ -168,6 +164,10 @@ std::vector<std::string> repair_surface(TriangleMesh& mesh) {
     Repairs repairs;
     const TriangleMesh before = mesh;
     drop_duplicates(mesh, repairs);
+    if (degenerate_triangles(mesh).size() == mesh.triangles.size()) { // CGAL's meshes are not to be emptied
+        mesh.triangles.clear();
+        return repairs;
+    }
     SurfaceMesh surface = joined(mesh, repairs);
     remove_flat_triangles(surface, repairs);
     close_holes(surface, repairs);

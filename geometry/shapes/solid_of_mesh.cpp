@@ -189,7 +189,7 @@ std::vector<double> breaks_along(const TriangleMesh& mesh, std::size_t axis) {
 
 } // namespace
 
-Solid solid_of(TriangleMesh mesh) {
+Solid solid_of(const TriangleMesh& mesh) {
     const auto bins = std::make_shared<const Bins>(mesh);
     Solid solid;
     solid.lower = bins->lower();

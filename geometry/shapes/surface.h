@@ -37,6 +37,6 @@ RepairedMesh read_surface(const Surface& spec, const std::filesystem::path& file
 TriangleMesh mesh_implicit(const Implicit& spec, double distance);
 
 /// The solid inside a closed mesh. Exact: a line that meets an edge or a corner counts it once.
-Solid solid_of(TriangleMesh mesh);
+Solid solid_of(const TriangleMesh& mesh);
 
 } // namespace abut

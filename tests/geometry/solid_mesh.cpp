@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 using namespace test; // NOLINT(google-build-using-namespace)
 using abut::Solid;
 using abut::Span;

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 using namespace test; // NOLINT(google-build-using-namespace)
 using testing::AllOf;
 using testing::HasSubstr;
@@ -275,35 +277,6 @@ TEST(SurfaceRead, CutOffFiles) {
     EXPECT_THAT(complaint(cut(off(mesh), 150)), HasSubstr("cut off"));
     EXPECT_THAT(complaint(cut(ply(mesh, Ply::little), 300), "a.ply"), HasSubstr("follow"));
     EXPECT_THAT(complaint(cut(ply(mesh, Ply::big), ply(mesh, Ply::big).size() - 1), "a.ply"), HasSubstr("cut off"));
-}
-
-TEST(SurfaceRead, HostileCounts) {
-    for (const char* count : {"2000000000", "99999999999999999999", "-1", "4294967295", "1e9"}) {
-        const std::string c = count;
-        EXPECT_NE(complaint(bytes_of("OFF\n" + c + " 1 0\n0 0 0\n")), "");
-        EXPECT_NE(complaint(bytes_of("OFF\n3 " + c + " 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")), "");
-        EXPECT_NE(complaint(bytes_of("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + c + " 0 1 2\n")), "");
-        EXPECT_NE(complaint(bytes_of("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 " + c + "\n")), "");
-        EXPECT_NE(complaint(bytes_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 " + c + "\n"), "a.obj"), "");
-        for (const char* format : {"ascii", "binary_little_endian"})
-            for (const char* element : {"vertex", "face", "other"})
-                EXPECT_NE(
-                    complaint(bytes_of(std::string("ply\nformat ") + format + " 1.0\nelement " + element + " " + c +
-                                       "\nproperty float x\nproperty float y\nproperty float z\nproperty list uint int "
-                                       "vertex_indices\nend_header\n0 0 0 \n"),
-                              "a.ply"),
-                    "");
-    }
-    Bytes stl = stl_binary(faces_of(cube()));
-    stl[80] = stl[81] = stl[82] = stl[83] = 0xff;
-    EXPECT_THAT(complaint(stl, "a.stl"), HasSubstr("4294967295 triangles"));
-    // An element without properties would take no bytes at all.
-    EXPECT_NE(
-        complaint(
-            bytes_of("ply\nformat ascii 1.0\nelement x 2000000000\nelement vertex 0\nproperty float x\nproperty "
-                     "float y\nproperty float z\nelement face 0\nproperty list int int vertex_index\nend_header\n"),
-            "a.ply"),
-        "");
 }
 
 TEST(SurfaceRead, FullMillionTriangles) {
