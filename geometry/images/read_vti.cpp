@@ -14,6 +14,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -166,7 +167,7 @@ public:
         std::array<int, 6> part = extent_;
         part[4] += slice;
         part[5] = array_.on_cells ? std::min(part[4] + 1, extent_[5]) : part[4];
-        reader_->UpdateExtent(part.data());
+        reader_->vtkAlgorithm::UpdateExtent(part.data());
         vtkImageData* picture = reader_->GetOutput();
         if (reader_->GetErrorCode() != vtkErrorCode::NoError || picture == nullptr) fail();
         vtkDataArray* values = array_.on_cells ? picture->GetCellData()->GetArray(array_.name.c_str())
