@@ -203,7 +203,7 @@ TEST(ImageDepth, TiffOfEveryOrientation) {
                                                     {7, {6, 3, 5, 2, 4, 1}},  // right, bottom
                                                     {8, {3, 6, 2, 5, 1, 4}}}; // left, bottom
     for (const auto& [orientation, values] : shown) {
-        const Image image = read(tiff(3, 2, 8, 1, 1, {1, 2, 3, 4, 5, 6}, orientation));
+        const Image image = read(test::tiff(3, 2, 8, 1, 1, {1, 2, 3, 4, 5, 6}, orientation));
         EXPECT_EQ(image.pixels, values) << orientation;
         EXPECT_EQ(image.width, orientation >= 5 ? 2 : 3);
     }
@@ -219,9 +219,10 @@ TEST(ImageDepth, TiffKindsRefusedByName) {
     TiffKind kind{16};
     kind.format = SAMPLEFORMAT_INT;
     EXPECT_THAT(error(kind), HasSubstr("has signed numbers"));
-    EXPECT_THAT(error_for(tiff(1, 1, 32, 1, 1, {1, 2, 3, 4})), HasSubstr("has 32 bits per channel; save it with 8"));
-    EXPECT_THAT(error_for(tiff(1, 1, 12, 1, 1, {1, 2})), HasSubstr("has 12 bits per channel"));
-    EXPECT_THAT(error_for(tiff(1, 1, 8, 1, 8, {1})), HasSubstr("unusual colours"));
+    EXPECT_THAT(error_for(test::tiff(1, 1, 32, 1, 1, {1, 2, 3, 4})),
+                HasSubstr("has 32 bits per channel; save it with 8"));
+    EXPECT_THAT(error_for(test::tiff(1, 1, 12, 1, 1, {1, 2})), HasSubstr("has 12 bits per channel"));
+    EXPECT_THAT(error_for(test::tiff(1, 1, 8, 1, 8, {1})), HasSubstr("unusual colours"));
 }
 
 // === JPEG
