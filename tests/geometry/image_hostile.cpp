@@ -253,7 +253,7 @@ TEST_P(HostileImage, GivesAPictureOrAnError) {
 INSTANTIATE_TEST_SUITE_P(EveryFormat, HostileImage, testing::Values("png", "bmp", "tif", "jpg", "vti"),
                          [](const auto& format) { return format.param; });
 
-TEST(HostileImage, TinyFilesThatClaimManyPixels) {
+TEST(HostileImages, TinyFilesThatClaimManyPixels) {
     const Folder folder;
     const auto expect_refused = [&](const std::string& name, const Bytes& bytes, const std::string& reason) {
         const std::filesystem::path file = folder.write(name, bytes);
@@ -276,7 +276,7 @@ TEST(HostileImage, TinyFilesThatClaimManyPixels) {
     expect_refused("c.png", png_of(0x80000000U, 1), too_many);
     expect_refused("a.tif", test::tiff(100000, 100000, 8, 1, 1, {1}), too_many);
     expect_refused("b.tif", test::tiff(16000, 16000, 8, 1, 1, {1}), cannot);
-    expect_refused("c.tif", test::tiff(0, 3, 8, 1, 1, {1}), "has no pixels");
+    expect_refused("c.tif", test::tiff(0, 3, 8, 1, 1, {1}), "is damaged or incomplete"); // says libtiff
     expect_refused("a.bmp", bmp(100000, 100000, 24, {Bytes(4, 1)}), too_many);
     expect_refused("b.bmp", bmp(16000, 16000, 24, {Bytes(4, 1)}), "the BMP file ends too early");
     expect_refused(
@@ -290,4 +290,49 @@ TEST(HostileImage, TinyFilesThatClaimManyPixels) {
             return Bytes(text.begin(), text.end());
         }(),
         cannot);
+}
+
+TEST(HostileImages, CutOffFilesAreNoPictures) {
+    const Folder folder;
+    for (const char* format : {"png", "bmp", "tif", "jpg", "vti"})
+        for (const Bytes& seed : seeds_of(format, folder))
+            for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+                const auto size = static_cast<std::size_t>(share * static_cast<double>(seed.size()));
+                const std::filesystem::path file =
+                    folder.write("cut", Bytes(seed.begin(), seed.begin() + static_cast<std::ptrdiff_t>(size)));
+                EXPECT_THAT(message_of([&] {
+                                const int slices = abut::read_stack_info(file).slices;
+                                abut::read_stack(file, 0, slices - 1, [](int, const Image&) {});
+                            }),
+                            HasSubstr("image \""))
+                    << format << " of " << seed.size() << " bytes, cut to " << size;
+            }
+}
+
+TEST(HostileImages, VtiWithoutSomeOfItsData) {
+    const Folder folder;
+    for (const Bytes& seed : seeds_of("vti", folder)) {
+        const std::string text(seed.begin(), seed.end());
+        // Of uncompressed base64 VTK 9.1 does not say how much it has read; only the missing end of a file shows.
+        const bool compressed = text.find("compressor") != text.npos, ascii = text.find("ascii") != text.npos;
+        if (!compressed && !ascii) continue;
+        const std::size_t appended = text.find("<AppendedData");
+        const std::size_t end =
+            appended == text.npos ? text.find("</DataArray>") : text.find("</AppendedData>", appended);
+        std::string shorter = text;
+        shorter.erase(end - 150, 130); // 20 bytes are white space in some
+        const std::filesystem::path file = folder.write("a.vti", Bytes(shorter.begin(), shorter.end()));
+        EXPECT_THAT(message_of([&] { abut::read_stack(file, 0, 2, [](int, const Image&) {}); }), HasSubstr("image \""))
+            << text.substr(0, 1000);
+    }
+}
+
+TEST(HostileImages, TiffWhosePagesGoInACircle) {
+    const Folder folder;
+    const Bytes file = test::tiff(1, 1, 8, 1, 1, {5});
+    const std::uint32_t directory = file[4]; // its own next one
+    EXPECT_THAT(message_of([&] {
+                    abut::read_stack_info(folder.write("a.tif", test::tiff(1, 1, 8, 1, 1, {5}, 0, {}, -1, directory)));
+                }),
+                HasSubstr("is damaged or incomplete"));
 }
