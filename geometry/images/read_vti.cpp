@@ -14,8 +14,11 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -123,10 +126,21 @@ double largest_ratio(const std::filesystem::path& file) {
     return 65536;
 }
 
+/// VTK goes on when the end of a file is missing.
+void check_end(const std::filesystem::path& file) {
+    constexpr std::size_t longest = 256; // end tag and some white space
+    std::ifstream stream(file, std::ios::binary);
+    const std::uintmax_t size = std::filesystem::file_size(file);
+    stream.seekg(static_cast<std::streamoff>(size - std::min<std::uintmax_t>(size, longest)));
+    const std::string end{std::istreambuf_iterator<char>(stream), {}};
+    if (end.find("</VTKFile>") == end.npos) throw std::runtime_error("is incomplete: the VTI file ends too early");
+}
+
 /// A volume of which one slice at a time is read.
 class Volume {
 public:
     explicit Volume(const std::filesystem::path& file) {
+        check_end(file);
         const QuietVtk quiet;
         reader_->SetFileName(file.c_str());
         reader_->UpdateInformation();
@@ -166,7 +180,7 @@ public:
         std::array<int, 6> part = extent_;
         part[4] += slice;
         part[5] = array_.on_cells ? std::min(part[4] + 1, extent_[5]) : part[4];
-        reader_->UpdateExtent(part.data());
+        reader_->vtkAlgorithm::UpdateExtent(part.data());
         vtkImageData* picture = reader_->GetOutput();
         if (reader_->GetErrorCode() != vtkErrorCode::NoError || picture == nullptr) fail();
         vtkDataArray* values = array_.on_cells ? picture->GetCellData()->GetArray(array_.name.c_str())

@@ -141,7 +141,7 @@ TEST(BadImage, NotAPicture) {
     folder.write("picture.png", "this is text");
     expect_refused(folder, image_scene(),
                    {"/images/0/file: image \"" + (folder / "picture.png").string() +
-                    "\" is not a PNG, BMP, TIFF or JPEG picture"});
+                    "\" is not a PNG, BMP, TIFF, JPEG or VTI picture"});
 }
 
 TEST(BadImage, CutOff) {

@@ -141,7 +141,7 @@ std::string scene_in(const std::filesystem::path& document) {
 
 TEST(Documents, ScenesInThemCanBeRun) {
     const Folder folder;
-    Image picture{200, 200, 3, std::vector<std::uint8_t>(3 * 200 * 200, 255)};
+    Image picture{200, 200, 3, std::vector<std::uint16_t>(3 * 200 * 200, 255)};
     const auto draw = [&](int first_row, int last_row, const std::array<std::uint8_t, 3>& rgb) {
         for (int row = first_row; row < last_row; ++row)
             for (int column = 60; column < 140; ++column)

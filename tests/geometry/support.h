@@ -219,7 +219,7 @@ inline abut::LegendEntry grey(int value, const std::string& body, const std::str
 inline abut::Image picture(const std::vector<std::vector<int>>& rows) {
     abut::Image image{static_cast<int>(rows[0].size()), static_cast<int>(rows.size()), 1, {}};
     for (const auto& row : rows)
-        for (const int value : row) image.pixels.push_back(static_cast<std::uint8_t>(value));
+        for (const int value : row) image.pixels.push_back(static_cast<std::uint16_t>(value));
     return image;
 }
 
