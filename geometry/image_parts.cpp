@@ -2,6 +2,7 @@
 
 #include "geometry/image_cover.h"
 #include "geometry/labels/label_image.h"
+#include "geometry/labels/value_image.h"
 #include "grid/effective_cell.h"
 
 #include <fmt/format.h>

@@ -18,7 +18,7 @@ struct Raster {
     std::array<int, 3> size{};
     std::array<double, 3> spacing{}; ///< [m]
     int per_place = 2;               ///< points along an edge
-    std::vector<char> inside;
+    std::vector<bool> inside;
 
     std::size_t index(int i, int j, int k) const { return (static_cast<std::size_t>(k) * size[1] + j) * size[0] + i; }
     bool has(int i, int j, int k) const {
@@ -71,7 +71,7 @@ Raster raster_of(const std::vector<const Part*>& parts) {
                 for (int j = c[1] - reach; j <= c[1] + reach; ++j)
                     for (int i = c[0] - reach; i <= c[0] + reach; ++i) ++touching[raster.index(i, j, k)];
         }
-    raster.inside.assign(touching.size(), 0);
+    raster.inside.assign(touching.size(), false);
     for (int k = 0; k < raster.size[2]; ++k)
         for (int j = 0; j < raster.size[1]; ++j)
             for (int i = 0; i < raster.size[0]; ++i) {
@@ -110,7 +110,9 @@ std::vector<std::array<int, 3>> compass(double reach, bool space) {
 /// Twice the smallest distance to the outside at points from which it grows nowhere [m].
 double thinnest_of(const std::vector<const Part*>& parts) {
     const Raster raster = raster_of(parts);
-    const std::vector<float> distance = distance_to_outside(raster.inside, raster.size, raster.spacing, true);
+    std::vector<float> distance =
+        squared_distance_to_outside(raster.inside, raster.size, raster.spacing, {true, true, parts.front()->lattice.dimension == 3});
+    for (float& d : distance) d = std::sqrt(d);
     const bool space = parts.front()->lattice.dimension == 3;
     // Three places: steps of the outline are seen no more, but bars of that length are.
     const std::vector<std::array<int, 3>> offsets = compass(3.0 * raster.per_place, space);

@@ -46,6 +46,7 @@ UsedPart used_part(const ImageSpec& spec, int dimension, const StackInfo& info) 
     for (std::size_t a = 0; a < 3; ++a) {
         used[a] = {0, count[a] - 1};
         if (!spec.crop || static_cast<int>(a) >= dimension) continue;
+        if ((*spec.crop)[a][1] == -1) continue; // all
         used[a] = (*spec.crop)[a];
         check_crop(used[a], count[a], what[a], info);
     }
