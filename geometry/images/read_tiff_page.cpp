@@ -28,7 +28,7 @@ public:
                                                           page.channels(),
                                                           {},
                                                           page.size().bits} {
-        if (page.palette() && TIFFGetField(tiff, TIFFTAG_COLORMAP, &palette_[0], &palette_[1], &palette_[2]) != 1)
+        if (page.palette() && TIFFGetField(tiff, TIFFTAG_COLORMAP, palette_.data(), &palette_[1], &palette_[2]) != 1)
             throw std::runtime_error("is damaged: the TIFF file lacks its palette");
         if (page.palette()) { // old files count to 255, not to 65535
             const auto small = [&](const std::uint16_t* map) {

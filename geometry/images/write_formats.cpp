@@ -167,7 +167,7 @@ void write_tiff(int slices, const std::function<Image(int slice)>& slice, const 
     check_image(image);
     const int width = image.width, height = image.height, bits = image.bits;
     // LZW can make 1.5 times as much of data that does not repeat; a classic TIFF ends at 4 GB.
-    const double most_bytes = 1.5 * slices * static_cast<double>(image.pixels.size()) * (bits / 8) + 1e3 * slices;
+    const double most_bytes = 1.5 * slices * static_cast<double>(image.pixels.size()) * bits / 8 + 1e3 * slices;
     const Tiff tiff = open_tiff_quietly(file, most_bytes < 4e9 ? "w" : "w8");
     if (!tiff) fail();
     for (int number = 0; number < slices; ++number) {
