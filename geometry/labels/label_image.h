@@ -41,4 +41,14 @@ struct LabelledImage {
 /// pixels that crop or slice name; what() can stand after "/images/0/file: "
 LabelledImage label_image(const ImageSpec& spec, int dimension, const std::filesystem::path& file);
 
+/// Greys of a second image.
+struct ValueVolume {
+    LabelVolume volume;  ///< grey of each pixel
+    int highest = 255;   ///< grey that is white: 255 or 65535
+};
+
+/// Reads a grey image of the same frame as the image of the bodies: the same crop, flip and turn.
+/// \throws std::runtime_error as label_image(), and for colours
+ValueVolume value_image(const ImageSpec& spec, int dimension, const std::filesystem::path& file);
+
 } // namespace abut

@@ -113,7 +113,8 @@ struct MaterialSpec {
 
 struct Box {
     Vector lower{}, upper{}; ///< before it is turned [m]
-    double angle = 0;        ///< it is turned about its centre, counter-clockwise; plane scenes only [rad]
+    double angle = 0;        ///< it is turned about its centre, counter-clockwise seen against `axis` [rad]
+    Vector axis{0, 0, 1};    ///< of the turn, of any length but 0; z in plane scenes
 };
 struct Disk {
     Vector center{};   ///< [m]
@@ -246,8 +247,8 @@ struct BodySpec {
     InitialVelocity velocity;
     int particles_per_cell = 2; ///< per axis
     Fill fill = Fill::centre;
-    std::optional<Arrangement> arrangement; ///< not given: fitted for boxes, grid for all others
-    InitialState state;
+    std::optional<Arrangement> arrangement{}; ///< not given: fitted for boxes, grid for all others
+    InitialState state{};
 };
 
 /// A shape that bodies and other shapes use by its name.
@@ -267,7 +268,7 @@ struct LegendEntry {
     std::string material; ///< empty if the body is rigid
     std::optional<RigidSpec> rigid;
     Vector velocity{};
-    InitialState state;
+    InitialState state{};
 };
 
 /// What is one body in an image.
@@ -292,7 +293,8 @@ struct ImageSpec {
     Vector lower{};                 ///< where the image's lower corner lies [m]
     bool first_row_is_up = true;    ///< false: the image's first row is the bottom of the box
     std::optional<int> slice;       ///< plane scenes: which slice of a stack, from 0
-    /// First and last column, row (from the first in the file) and slice that are used, from 0; both included.
+    /// First and last column, row (from the first in the file) and slice that are used, from 0; both included. {0, -1}:
+    /// all.
     std::optional<std::array<std::array<int, 2>, 3>> crop;
     std::array<bool, 3> flip{};     ///< mirrored along these axes of the file (columns, rows, slices), after the crop
     int quarter_turns = 0;          ///< counter-clockwise, after the flip; 0..3
