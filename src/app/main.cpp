@@ -101,7 +101,7 @@ int run_program(int argc, char** argv) {
     pack->add_option("--min-aspect", packing.min_aspect, "of ellipses: longer over shorter axis, smallest");
     pack->add_option("--max-aspect", packing.max_aspect, "of ellipses: longer over shorter axis, largest");
     pack->add_option("--gap", packing.gap, "least distance between grains [pixels]");
-    pack->add_option("--seed", packing.seed, "of the random numbers");
+    pack->add_option("--seed", packing.seed, "of the random numbers")->check(CLI::NonNegativeNumber);
     pack->add_option("--shades", packing.shades, "number of greys; 4: grains that touch still differ");
     pack->add_option(
         "--neighbour-distance", packing.neighbour_distance,
