@@ -232,7 +232,7 @@ TEST(PackPolygons, ApartConvexAndOfTheWantedArea) {
             }
         EXPECT_NEAR(area / (700 * 500), fraction, 1e-6) << bodies;
         EXPECT_NEAR(nearest, packed.polygon_gap, 1e-6) << "gaps are as wide as said";
-        if (fraction == 1) EXPECT_EQ(packed.polygon_gap, 0);
+        EXPECT_EQ(packed.polygon_gap == 0, fraction == 1);
     }
 }
 
