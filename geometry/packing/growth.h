@@ -16,7 +16,7 @@ namespace abut {
 template <class Grains>
 void grow_to(Grains& grains, double fraction, const std::string& name, std::size_t count) {
     constexpr double first = 0.2, step = 0.02; // at 0.2 random places relax at once
-    constexpr int most_sweeps = 20000;
+    constexpr int most_sweeps = 4000;
     double reached = 0;
     for (double share = std::min(first, fraction);; share = std::min(share + step, fraction)) {
         grains.set_fraction(share);

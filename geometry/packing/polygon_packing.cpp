@@ -3,56 +3,99 @@
 #include "geometry/packing/ball_packing.h"
 #include "geometry/packing/laguerre.h"
 
+#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace abut {
 
 namespace {
 
-/// Weights are moved until areas differ from the wanted ones by at most this share of the mean.
-constexpr double area_tolerance = 1e-3;
+/// Changes weights until cells have the wanted areas: damped Newton steps (Kitagawa, Mérigot and Thibert, J. Eur. Math.
+/// Soc. 21 (2019) 2603). With len the length of the side between a and b and d the distance of their centres,
+/// ∂A_a/∂w_a = Σ len / (2 d) and ∂A_a/∂w_b = −len / (2 d).
+class AreaFit {
+public:
+    AreaFit(const PolygonRequest& request, const std::vector<PlanePoint>& centres, std::vector<double> weights,
+            const std::vector<double>& areas)
+        : request_(request), centres_(centres), areas_(areas), weights_(std::move(weights)),
+          cells_(laguerre_cells(request.width, request.height, centres_, weights_)) {}
 
-/// Changes weights until cells have the wanted areas. With len the length of the side between a and b, d the distance
-/// of their centres, dA_a/dw_a = Σ len / (2 d) and dA_a/dw_b = −len / (2 d): damped Jacobi steps.
-std::vector<LaguerreCell> cells_of_areas(const PolygonRequest& request, const std::vector<PlanePoint>& centres,
-                                         std::vector<double> weights, const std::vector<double>& areas) {
-    constexpr int most_steps = 400;
-    std::vector<LaguerreCell> cells = laguerre_cells(request.width, request.height, centres, weights);
-    const double mean = request.width * request.height / static_cast<double>(centres.size());
-    double damping = 0.7;
-    for (int step = 0; step < most_steps; ++step) {
-        double worst = 0;
-        std::vector<double> changed = weights;
-        for (std::size_t k = 0; k < cells.size(); ++k) {
-            const double missing = areas[k] - signed_area(cells[k].points);
-            worst = std::max(worst, std::abs(missing));
-            double stiffness = 0;
-            for (std::size_t i = 0; i < cells[k].sides.size(); ++i) {
-                if (cells[k].sides[i].neighbour < 0) continue;
-                const PlanePoint &p = cells[k].points[i], &q = cells[k].points[(i + 1) % cells[k].points.size()];
-                const PlanePoint& other = centres[cells[k].sides[i].neighbour];
-                stiffness += std::hypot(q[0] - p[0], q[1] - p[1]) /
-                             (2 * std::hypot(other[0] - centres[k][0], other[1] - centres[k][1]));
+    std::vector<LaguerreCell> run() {
+        constexpr int most_steps = 60;
+        constexpr double tolerance = 1e-9; // of the smallest area
+        const double least_wanted = *std::min_element(areas_.begin(), areas_.end());
+        const double least = 0.5 * std::min(least_wanted, smallest_area(cells_)); // no cell may get lost on the way
+        for (int step = 0; step < most_steps && error(cells_) > tolerance * least_wanted; ++step) {
+            const Eigen::VectorXd change = newton_step();
+            double share = 1;
+            for (; share > 1e-6; share *= 0.5) {
+                std::vector<double> changed = weights_;
+                for (std::size_t k = 0; k < changed.size(); ++k)
+                    changed[k] += share * change[static_cast<Eigen::Index>(k)];
+                std::vector<LaguerreCell> next = laguerre_cells(request_.width, request_.height, centres_, changed);
+                if (smallest_area(next) < least || error(next) >= error(cells_)) continue;
+                weights_ = std::move(changed);
+                cells_ = std::move(next);
+                break;
             }
-            if (stiffness > 0) changed[k] += damping * missing / stiffness;
+            if (share <= 1e-6) break; // as good as numbers allow
         }
-        if (worst <= area_tolerance * mean) break;
-        std::vector<LaguerreCell> next = laguerre_cells(request.width, request.height, centres, changed);
-        const bool all_there =
-            std::none_of(next.begin(), next.end(), [](const auto& cell) { return cell.points.empty(); });
-        if (all_there) {
-            weights = std::move(changed);
-            cells = std::move(next);
-        } else if ((damping *= 0.5) < 1e-3) {
-            break;
-        }
+        return cells_;
     }
-    return cells;
-}
+
+private:
+    static double smallest_area(const std::vector<LaguerreCell>& cells) {
+        double least = signed_area(cells[0].points);
+        for (const LaguerreCell& cell : cells) least = std::min(least, signed_area(cell.points));
+        return least;
+    }
+
+    /// Root of the summed squares of what areas lack.
+    double error(const std::vector<LaguerreCell>& cells) const {
+        double squares = 0;
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            const double missing = areas_[k] - signed_area(cells[k].points);
+            squares += missing * missing;
+        }
+        return std::sqrt(squares);
+    }
+
+    Eigen::VectorXd newton_step() const {
+        const auto count = static_cast<Eigen::Index>(cells_.size());
+        std::vector<Eigen::Triplet<double>> entries;
+        Eigen::VectorXd missing(count);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const LaguerreCell& cell = cells_[k];
+            missing[k] = areas_[k] - signed_area(cell.points);
+            double sum = k == 0 ? 1 : 0; // only differences of weights matter: hold the first
+            for (std::size_t i = 0; i < cell.sides.size(); ++i) {
+                if (cell.sides[i].neighbour < 0) continue;
+                const PlanePoint &p = cell.points[i], &q = cell.points[(i + 1) % cell.points.size()];
+                const PlanePoint& other = centres_[cell.sides[i].neighbour];
+                const double slope = std::hypot(q[0] - p[0], q[1] - p[1]) /
+                                     (2 * std::hypot(other[0] - centres_[k][0], other[1] - centres_[k][1]));
+                sum += slope;
+                entries.emplace_back(k, cell.sides[i].neighbour, -slope);
+            }
+            entries.emplace_back(k, k, sum);
+        }
+        Eigen::SparseMatrix<double> slopes(count, count);
+        slopes.setFromTriplets(entries.begin(), entries.end());
+        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(slopes);
+        return solver.solve(missing);
+    }
+
+    const PolygonRequest& request_;
+    const std::vector<PlanePoint>& centres_;
+    const std::vector<double>& areas_;
+    std::vector<double> weights_;
+    std::vector<LaguerreCell> cells_;
+};
 
 /// Area that is left of all cells; 0 when one of them is gone.
 double area_left(const std::vector<LaguerreCell>& cells, double distance) {
@@ -103,7 +146,7 @@ PackedPolygons pack_polygons(const PolygonRequest& request) {
     std::vector<double> weights, areas;
     for (const double radius : packed.radii) weights.push_back(radius * radius);
     for (const double size : disks.sizes) areas.push_back(size * size / squares * request.width * request.height);
-    const std::vector<LaguerreCell> cells = cells_of_areas(request, packed.centres, weights, areas);
+    const std::vector<LaguerreCell> cells = AreaFit(request, packed.centres, weights, areas).run();
 
     PackedPolygons result;
     const double half = half_gap(cells, request);
