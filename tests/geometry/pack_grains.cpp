@@ -41,23 +41,36 @@ double shoelace(const Polygon& polygon) {
     return twice / 2;
 }
 
-/// Least distance between two convex polygons that don't overlap; negative when no side of either separates them: then
-/// they do. (Separating axes; at sides, so corners that face each other are somewhat further apart.)
-double separation(const Polygon& a, const Polygon& b) {
-    double best = -1e300;
+/// Whether a side of either of two convex polygons separates them (up to round-off).
+bool are_apart(const Polygon& a, const Polygon& b) {
     for (const auto& [one, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
         const auto& points = one->points;
         for (std::size_t k = 0; k < points.size(); ++k) {
             const PlanePoint &p = points[k], &q = points[(k + 1) % points.size()];
             const double length = std::hypot(q[0] - p[0], q[1] - p[1]);
             if (length < 1e-9) continue;
-            double nearest = 1e300;
-            for (const PlanePoint& x : other->points)
-                nearest = std::min(nearest, ((x[0] - p[0]) * (q[1] - p[1]) - (x[1] - p[1]) * (q[0] - p[0])) / length);
-            best = std::max(best, nearest);
+            if (std::all_of(other->points.begin(), other->points.end(), [&](const PlanePoint& x) {
+                    return ((x[0] - p[0]) * (q[1] - p[1]) - (x[1] - p[1]) * (q[0] - p[0])) / length > -1e-9;
+                }))
+                return true;
         }
     }
-    return best;
+    return false;
+}
+
+/// Least distance between the outlines of two polygons that are apart: from a corner of one to a side of the other.
+double outline_distance(const Polygon& a, const Polygon& b) {
+    double least = 1e300;
+    for (const auto& [one, other] : {std::pair{&a, &b}, std::pair{&b, &a}})
+        for (const PlanePoint& x : one->points)
+            for (std::size_t k = 0; k < other->points.size(); ++k) {
+                const PlanePoint &p = other->points[k], &q = other->points[(k + 1) % other->points.size()];
+                const double dx = q[0] - p[0], dy = q[1] - p[1], square = dx * dx + dy * dy;
+                const double t =
+                    square > 0 ? std::clamp(((x[0] - p[0]) * dx + (x[1] - p[1]) * dy) / square, 0.0, 1.0) : 0;
+                least = std::min(least, std::hypot(p[0] + t * dx - x[0], p[1] + t * dy - x[1]));
+            }
+    return least;
 }
 
 std::vector<double> sizes_of(const PackedGrains& packed) {
@@ -225,8 +238,10 @@ TEST(PackPolygons, ApartConvexAndOfTheWantedArea) {
             for (std::size_t b = 0; b < a; ++b) {
                 if (std::hypot(around[a][0] - around[b][0], around[a][1] - around[b][1]) > around[a][2] + around[b][2])
                     continue;
-                const double between =
-                    separation(std::get<Polygon>(packed.grains[a]), std::get<Polygon>(packed.grains[b]));
+                const Polygon& one = std::get<Polygon>(packed.grains[a]);
+                const Polygon& other = std::get<Polygon>(packed.grains[b]);
+                ASSERT_TRUE(are_apart(one, other)) << a << " and " << b << " of " << bodies;
+                const double between = outline_distance(one, other);
                 ASSERT_GE(between, packed.polygon_gap - 1e-6) << a << " and " << b << " of " << bodies;
                 nearest = std::min(nearest, between);
             }
