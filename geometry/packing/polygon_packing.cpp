@@ -48,6 +48,10 @@ public:
         return cells_;
     }
 
+    const std::vector<double>& weights() const { return weights_; }
+    /// Whether each site has a cell to begin with.
+    bool complete() const { return smallest_area(cells_) > 0; }
+
 private:
     static double smallest_area(const std::vector<LaguerreCell>& cells) {
         double least = signed_area(cells[0].points);
@@ -96,6 +100,18 @@ private:
     std::vector<double> weights_;
     std::vector<LaguerreCell> cells_;
 };
+
+PlanePoint centroid(const std::vector<PlanePoint>& points) {
+    PlanePoint sum{};
+    double twice = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const PlanePoint &p = points[k], &q = points[(k + 1) % points.size()];
+        const double cross = p[0] * q[1] - p[1] * q[0];
+        twice += cross;
+        for (int axis = 0; axis < 2; ++axis) sum[axis] += cross * (p[axis] + q[axis]);
+    }
+    return {sum[0] / (3 * twice), sum[1] / (3 * twice)};
+}
 
 /// Area that is left of all cells; 0 when one of them is gone.
 double area_left(const std::vector<LaguerreCell>& cells, double distance) {
@@ -146,7 +162,18 @@ PackedPolygons pack_polygons(const PolygonRequest& request) {
     std::vector<double> weights, areas;
     for (const double radius : packed.radii) weights.push_back(radius * radius);
     for (const double size : disks.sizes) areas.push_back(size * size / squares * request.width * request.height);
-    const std::vector<LaguerreCell> cells = AreaFit(request, packed.centres, weights, areas).run();
+    AreaFit first(request, packed.centres, weights, areas);
+    std::vector<LaguerreCell> cells = first.run();
+    weights = first.weights();
+    constexpr int rounds = 3; // Lloyd's: cells about their centroids are rounder
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<PlanePoint> centres;
+        for (const LaguerreCell& cell : cells) centres.push_back(centroid(cell.points));
+        AreaFit fit(request, centres, weights, areas);
+        if (!fit.complete()) break;
+        cells = fit.run();
+        weights = fit.weights();
+    }
 
     PackedPolygons result;
     const double half = half_gap(cells, request);
