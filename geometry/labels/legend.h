@@ -64,19 +64,4 @@ struct MatchedColours {
 };
 MatchedColours match_colours(const std::vector<ColourTable::Colour>& colours, const std::vector<LegendEntry>& legend);
 
-// === To go together with image_particles
-
-/// A picture in terms of its legend. Labels: 0 is void, k > 0 is bodies[k - 1].
-struct LabelledPicture {
-    int width = 0, height = 0;
-    std::vector<std::string> bodies;           ///< in order of first appearance in the legend, each once
-    std::vector<int> label;                    ///< per pixel, rows as in Image; 0 where no entry matches
-    std::vector<std::int64_t> pixels_of_entry; ///< per legend entry
-    std::vector<UnmatchedColour> unmatched;    ///< most frequent first
-};
-
-/// Gives every pixel the legend entry that matches: no channel differs by more than the entry's tolerance. Of several,
-/// the one with the smallest largest difference; of equals, the first.
-LabelledPicture label_pixels(const Image& image, const std::vector<LegendEntry>& legend);
-
 } // namespace abut

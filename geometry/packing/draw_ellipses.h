@@ -1,8 +1,9 @@
 #pragma once
 /// \file draw_ellipses.h
-/// Pictures of densely packed ellipses, to make scenes from (command draw-ellipses).
+/// Pictures of densely packed ellipses: pack_grains() and shade_grains() in one.
 
 #include "geometry/images/image.h"
+#include "geometry/packing/draw_grains.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -17,7 +18,7 @@ struct EllipseDrawing {
     int bodies = 20;                         ///< number of ellipses
     int shades = 20;                         ///< number of greys; fewer than bodies: ellipses far apart share one
     double min_aspect = 1, max_aspect = 2.5; ///< longer over shorter semi-axis
-    double min_size = 0.6, max_size = 1.4;   ///< √(a b) of the ellipses relative to each other
+    SizeDistribution sizes;                  ///< of √(a b)
     double area_fraction = 0.55;             ///< of the picture that ellipses cover
     double gap = 0;                          ///< least distance between two ellipses
     double neighbour_distance = 8;           ///< ellipses nearer than this have different greys
@@ -36,13 +37,8 @@ struct DrawnImage {
 };
 
 /// Draws ellipses of random sizes, aspects, directions and places, all inside the picture, none over another, with
-/// sharp edges: a pixel whose centre is in an ellipse has its grey. Greys are evenly spaced from 10 to 240. The same
-/// drawing comes out of the same values on every machine. \throws std::invalid_argument when a value makes no sense;
-/// std::runtime_error when the area fraction is not reached or the shades don't suffice.
+/// sharp edges: a pixel whose centre is in an ellipse has its grey. The same drawing comes out of the same values on
+/// every machine. \throws as pack_grains() and shade_grains()
 DrawnImage draw_ellipses(const EllipseDrawing& drawing);
-
-/// The `"legend": [ ... ]` of the picture for a scene file: one body per grey, grain-01, grain-02, ... by ascending
-/// grey, all of one material, and the background as void.
-std::string legend_json(const DrawnImage& drawn, const std::string& material);
 
 } // namespace abut

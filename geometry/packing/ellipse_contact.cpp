@@ -17,7 +17,7 @@ Outline outline(const Ellipse& ellipse) {
             std::max(a, b)};
 }
 
-double contact_function(const Outline& a, const Outline& b, double enough) {
+Closeness closeness(const Outline& a, const Outline& b, double enough) {
     const double x = b.x - a.x, y = b.y - a.y;
     // F = max over λ in [0, 1] of λ (1 − λ) rᵀ [(1 − λ) A + λ B]⁻¹ r, a concave function of λ. Every λ gives a lower
     // bound of F, so that a search which stops early never calls overlapping ellipses apart.
@@ -27,7 +27,7 @@ double contact_function(const Outline& a, const Outline& b, double enough) {
         return lambda * mu * (yy * x * x - 2 * xy * x * y + xx * y * y) / (xx * yy - xy * xy);
     };
     const double middle = value(0.5);
-    if (middle >= enough) return middle;
+    if (middle >= enough) return {middle, 0.5};
     constexpr double golden = 1 / std::numbers::phi;
     double lower = 0, upper = 1;
     double p = upper - golden, q = lower + golden;
@@ -47,7 +47,19 @@ double contact_function(const Outline& a, const Outline& b, double enough) {
             value_q = value(q);
         }
     }
-    return std::max({value_p, value_q, middle});
+    if (middle >= value_p && middle >= value_q) return {middle, 0.5};
+    return value_p > value_q ? Closeness{value_p, p} : Closeness{value_q, q};
+}
+
+double contact_function(const Outline& a, const Outline& b, double enough) {
+    return closeness(a, b, enough).value;
+}
+
+Outline outline_with_gap(Ellipse ellipse, double gap) {
+    const auto [a, b] = ellipse.semi_axes;
+    const double extra = 0.5 * gap * (a + b) / (2 * std::sqrt(a * b));
+    for (double& axis : ellipse.semi_axes) axis += extra;
+    return outline(ellipse);
 }
 
 std::array<double, 2> half_extent(const Ellipse& ellipse) {

@@ -1,6 +1,7 @@
 #include "geometry/packing/ellipse_packing.h"
 
 #include "geometry/packing/ellipse_contact.h"
+#include "geometry/packing/ellipse_relaxation.h"
 #include "geometry/packing/random.h"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ double on_fixed_grid(double value) {
     return std::round(value * 0x1p20) * 0x1p-20;
 }
 
+/// Grows all at once, as far as the nearest two allow.
 class Packing {
 public:
     explicit Packing(const PackingRequest& request) : request_(request), random_(request.seed) {}
@@ -46,7 +48,7 @@ private:
         double area = 0;
         for (int k = 0; k < request_.bodies; ++k) {
             const double aspect = std::sqrt(random_.between(request_.min_aspect, request_.max_aspect));
-            const double size = random_.between(request_.min_size, request_.max_size);
+            const double size = request_.sizes.sample(random_);
             Ellipse ellipse{{}, {size * aspect, size / aspect}, on_fixed_grid(random_.between(0, std::numbers::pi))};
             area += std::numbers::pi * size * size;
             ellipses_.push_back(ellipse);
@@ -139,16 +141,8 @@ private:
         return ellipse;
     }
 
-    /// Outline of the ellipse with semi-axes enlarged so that it contains all that is nearer than half the gap. An
-    /// ellipse with both semi-axes larger by d reaches h(d) = |(a + d) c, (b + d) s| in the direction (c, s) of its
-    /// axes, a convex function of d with slope (a c² + b s²) / |a c, b s| ≥ 2 √(a b) / (a + b) at d = 0: hence the
-    /// factor.
     Outline outline_with_gap(const Ellipse& unscaled) const {
-        Ellipse ellipse = at_scale(unscaled);
-        const auto [a, b] = ellipse.semi_axes;
-        const double extra = 0.5 * request_.gap * (a + b) / (2 * std::sqrt(a * b));
-        for (double& axis : ellipse.semi_axes) axis += extra;
-        return outline(ellipse);
+        return abut::outline_with_gap(at_scale(unscaled), request_.gap);
     }
 
     std::vector<Ellipse> scaled(double scale) const {
@@ -169,6 +163,9 @@ private:
 } // namespace
 
 std::vector<Ellipse> pack_ellipses(const PackingRequest& request) {
+    // The more there are, the nearer are the nearest two, and the slower all would grow.
+    constexpr int most_at_once = 60;
+    if (request.bodies > most_at_once) return relax_ellipses(request);
     return Packing(request).run();
 }
 

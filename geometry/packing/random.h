@@ -18,6 +18,14 @@ public:
     /// Uniform in [lower, upper).
     double between(double lower, double upper) { return lower + (upper - lower) * unit(); }
 
+    /// Normal of mean 0 and deviation 1, as the sum of twelve uniform numbers: no function of the C library, whose last
+    /// digits differ, is used. Never beyond ±6.
+    double normal() {
+        double sum = -6;
+        for (int k = 0; k < 12; ++k) sum += unit();
+        return sum;
+    }
+
     /// One of 0 .. count - 1.
     int below(int count) { return static_cast<int>(unit() * count); }
 

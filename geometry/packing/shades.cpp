@@ -1,5 +1,7 @@
 #include "geometry/packing/shades.h"
 
+#include "geometry/packing/kempe.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,10 +23,10 @@ public:
 
     bool solve(std::size_t coloured = 0) {
         if (coloured == neighbours_.size()) return true;
-        if (++steps_ > most_steps)
-            throw std::runtime_error(fmt::format("found no way to shade neighbours differently with {} shades; "
-                                                 "ask for more shades",
-                                                 uses_.size()));
+        if (++steps_ > most_steps) {
+            gave_up_ = true;
+            return false;
+        }
         const std::size_t body = hardest();
         std::vector<int> order = free_shades(body);
         std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return uses_[a] < uses_[b]; });
@@ -35,6 +37,7 @@ public:
             shade_[body] = shade;
             ++uses_[shade];
             if (solve(coloured + 1)) return true;
+            if (gave_up_) return false;
             --uses_[shade];
             shade_[body] = none;
         }
@@ -42,6 +45,7 @@ public:
     }
 
     const std::vector<int>& shades() const { return shade_; }
+    bool gave_up() const { return gave_up_; }
 
 private:
     std::vector<int> free_shades(std::size_t body) const {
@@ -74,7 +78,23 @@ private:
     std::vector<int> shade_;
     std::vector<int> uses_; ///< per shade
     long steps_ = 0;
+    bool gave_up_ = false; ///< there may be a colouring
 };
+
+/// A complete search of few bodies, else Kempe chains.
+std::vector<int> any_shades(const Neighbours& neighbours, int shades, Random& random) {
+    constexpr std::size_t few = 150; // the search goes as deep as there are bodies
+    if (neighbours.size() <= few) {
+        Search search(neighbours, shades);
+        if (search.solve()) return search.shades();
+        if (!search.gave_up())
+            throw std::runtime_error(
+                fmt::format("{} shades are too few for neighbours to differ; ask for more shades", shades));
+    }
+    if (const auto found = kempe_colouring(neighbours, shades, random)) return *found;
+    throw std::runtime_error(
+        fmt::format("found no way to shade neighbours differently with {} shades; ask for more shades", shades));
+}
 
 } // namespace
 
@@ -95,8 +115,10 @@ Neighbours neighbours_of(const std::vector<int>& label, int width, int height, i
             // The pixel of a body that is nearest to another body has a neighbour outside.
             if (own == 0 || (at(x - 1, y) == own && at(x + 1, y) == own && at(x, y - 1) == own && at(x, y + 1) == own))
                 continue;
+            int last = 0;
             for (const auto& [dx, dy] : offsets)
-                if (const int other = at(x + dx, y + dy); other != 0 && other != own) {
+                if (const int other = at(x + dx, y + dy); other != 0 && other != own && other != last) {
+                    last = other;
                     found[own - 1].insert(other - 1);
                     found[other - 1].insert(own - 1);
                 }
@@ -108,15 +130,11 @@ Neighbours neighbours_of(const std::vector<int>& label, int width, int height, i
 }
 
 std::vector<int> choose_shades(const Neighbours& neighbours, int shades, Random& random) {
-    Search search(neighbours, shades);
-    if (!search.solve())
-        throw std::runtime_error(
-            fmt::format("{} shades are too few for neighbours to differ; ask for more shades", shades));
+    std::vector<int> result = any_shades(neighbours, shades, random);
     // The search hands them out in the order of its choices; mix them, so that a shade says nothing about the place.
     std::vector<int> mixed(shades);
     std::iota(mixed.begin(), mixed.end(), 0);
     for (int k = shades - 1; k > 0; --k) std::swap(mixed[k], mixed[random.below(k + 1)]);
-    std::vector<int> result = search.shades();
     for (int& shade : result) shade = mixed[shade];
     return result;
 }

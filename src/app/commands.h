@@ -3,9 +3,9 @@
 /// The subcommands of the program. Each returns the exit code, and throws for what it cannot do: SceneError and
 /// UsageError mean exit code 2, everything else 1.
 
-#include "geometry/packing/draw_ellipses.h"
 #include "io/render/render_series.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -13,6 +13,8 @@
 #include <vector>
 
 namespace abut {
+
+struct Scene;
 
 template <int D>
 struct State;
@@ -43,8 +45,28 @@ struct RunOptions {
     bool quiet = false;
 };
 
+/// What isn't given is chosen by the kind of grains.
+struct PackOptions {
+    std::filesystem::path file; ///< its extension says what is written
+    std::string grains = "ellipses";
+    std::optional<int> width, height, depth; ///< [pixels]
+    int bodies = 20;
+    std::optional<double> area_fraction;
+    std::optional<std::string> sizes;
+    std::optional<double> min_aspect, max_aspect;
+    double gap = 0; ///< [pixels]
+    std::uint64_t seed = 1;
+    std::optional<int> shades;
+    std::optional<double> neighbour_distance; ///< [pixels]
+    std::optional<double> pixel;              ///< [m]
+    std::string material = "aluminium";
+    std::optional<double> blur, noise;
+};
+
 /// Refuses a scene that only shows to be wrong once its particles are there: SceneError with the problems of
 /// check_state() (see step/check_state.h).
+struct Scene;
+
 template <int D>
 void check_start(State<D>& state, const std::filesystem::path& scene);
 
@@ -56,8 +78,7 @@ int run_command(const RunOptions& options);
 int check_command(const SceneOptions& options, const std::filesystem::path& png);
 int particles_command(const SceneOptions& options, ParticlesOptions preview);
 int render_command(const std::filesystem::path& results, const RenderOptions& options);
-int draw_ellipses_command(const std::filesystem::path& output, const EllipseDrawing& drawing,
-                          const std::string& material);
+int pack_command(const PackOptions& options);
 int schema_command();
 int reference_command();
 

@@ -93,24 +93,30 @@ int run_program(int argc, char** argv) {
         action = [&] { return render_command(results, render_options); };
     });
 
-    EllipseDrawing drawing;
-    std::filesystem::path picture;
-    std::string material = "aluminium";
-    CLI::App* draw = program.add_subcommand("draw-ellipses", "Draws a random dense packing of ellipses as a bitmap");
-    draw->add_option("FILE", picture, "image file, .png or .bmp by its name")->required();
-    draw->add_option("--width", drawing.width, "pixels");
-    draw->add_option("--height", drawing.height, "pixels");
-    draw->add_option("--bodies", drawing.bodies, "number of ellipses");
-    draw->add_option("--shades", drawing.shades, "number of greys");
-    draw->add_option("--min-aspect", drawing.min_aspect, "longer over shorter axis, smallest");
-    draw->add_option("--max-aspect", drawing.max_aspect, "longer over shorter axis, largest");
-    draw->add_option("--min-size", drawing.min_size, "smallest size relative to the mean");
-    draw->add_option("--max-size", drawing.max_size, "largest size relative to the mean");
-    draw->add_option("--area-fraction", drawing.area_fraction, "of the picture that ellipses cover");
-    draw->add_option("--gap", drawing.gap, "least distance between ellipses [pixels]");
-    draw->add_option("--seed", drawing.seed, "of the random numbers");
-    draw->add_option("--material", material, "name in the printed legend");
-    draw->callback([&] { action = [&] { return draw_ellipses_command(picture, drawing, material); }; });
+    PackOptions packing;
+    CLI::App* pack = program.add_subcommand("pack", "Packs random grains densely, as a bitmap or as shapes of a scene");
+    pack->add_option("FILE", packing.file, "by its name: .png, .bmp or .tif a bitmap, .json a scene of shapes")
+        ->required();
+    pack->add_option("--grains", packing.grains, "disks, ellipses, polygons or balls");
+    pack->add_option("--width", packing.width, "pixels");
+    pack->add_option("--height", packing.height, "pixels");
+    pack->add_option("--depth", packing.depth, "pixels, of balls");
+    pack->add_option("--bodies", packing.bodies, "number of grains");
+    pack->add_option("--area-fraction", packing.area_fraction, "of the box that grains fill (balls: of its volume)");
+    pack->add_option("--sizes", packing.sizes, "equal, uniform:MIN,MAX or lognormal:SIGMA, relative to each other");
+    pack->add_option("--min-aspect", packing.min_aspect, "of ellipses: longer over shorter axis, smallest");
+    pack->add_option("--max-aspect", packing.max_aspect, "of ellipses: longer over shorter axis, largest");
+    pack->add_option("--gap", packing.gap, "least distance between grains [pixels]");
+    pack->add_option("--seed", packing.seed, "of the random numbers")->check(CLI::NonNegativeNumber);
+    pack->add_option("--shades", packing.shades, "number of greys; 4: grains that touch still differ");
+    pack->add_option(
+        "--neighbour-distance", packing.neighbour_distance,
+        "grains nearer than this have different greys [pixels]; default: 8, or less if the shades are few");
+    pack->add_option("--pixel", packing.pixel, "length of a pixel [m]");
+    pack->add_option("--material", packing.material, "name in the legend or the scene");
+    pack->add_option("--blur", packing.blur, "micrograph: deviation of the blur [pixels]; all grains have one grey");
+    pack->add_option("--noise", packing.noise, "micrograph: deviation of the noise [greys]; all grains have one grey");
+    pack->callback([&] { action = [&] { return pack_command(packing); }; });
 
     program.add_subcommand("schema", "Prints the JSON Schema of scene files")->callback([&] {
         action = schema_command;

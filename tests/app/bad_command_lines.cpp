@@ -101,12 +101,27 @@ TEST(BadCommandLine, Render) {
     expect_refused(folder, {"render", "results", "--width", "9"}, "--width");
 }
 
-TEST(BadCommandLine, DrawEllipses) {
+TEST(BadCommandLine, Pack) {
     const Folder folder;
-    expect_refused(folder, {"draw-ellipses", "bed.gif"}, "must end in .png or .bmp");
-    expect_refused(folder, {"draw-ellipses", "bed.png", "--bodies", "0"}, "abut: ");
-    expect_refused(folder, {"draw-ellipses", "bed.png", "--width", "40", "--height", "40", "--area-fraction", "0.99"},
-                   "abut: ");
+    expect_refused(folder, {"pack", "bed.gif"}, "must end in .png, .bmp or .tif");
+    expect_refused(folder, {"pack", "bed.png", "--bodies", "0"}, "abut: ");
+    expect_refused(folder, {"pack", "bed.png", "--width", "40", "--height", "40", "--area-fraction", "0.99"},
+                   "at most");
+    expect_refused(folder, {"pack", "bed.png", "--grains", "disk"}, R"(did you mean "disks"?)");
+    expect_refused(folder, {"pack", "bed.png", "--grains", "balls"}, ".tif stack");
+    expect_refused(folder, {"pack", "bed.png", "--sizes", "lognorm:0.2"}, R"(did you mean "lognormal"?)");
+    expect_refused(folder, {"pack", "bed.png", "--sizes", "uniform:1"}, "write uniform:MIN,MAX");
+    expect_refused(folder, {"pack", "bed.png", "--sizes", "uniform:2,1"}, "the largest not below the smallest");
+    expect_refused(folder, {"pack", "bed.json", "--shades", "4"}, "are for bitmaps");
+    expect_refused(folder, {"pack", "bed.png", "--grains", "disks", "--max-aspect", "2"}, "for ellipses only");
+    expect_refused(folder, {"pack", "bed.png", "--depth", "9"}, "--depth is for balls only");
+    expect_refused(folder, {"pack", "bed.png", "--blur", "1", "--shades", "4"}, "leave out --shades");
+    expect_refused(folder, {"pack", "bed.png", "--blur", "99"}, "blur must be 0 to 20");
+    expect_refused(folder, {"pack", "bed.png", "--seed", "-1"}, "--seed");
+    expect_refused(folder, {"pack", "bed.json", "--pixel", "0"}, "--pixel");
+    expect_refused(folder, {"pack", "bed.json", "--material", "a\"b"}, "--material");
+    expect_refused(folder, {"pack", "bed.png", "--grains", "polygons", "--gap", "30"}, "leave 0.");
+    expect_refused(folder, {"pack", "bed.png", "--shades", "1"}, "ask for more shades");
 }
 
 TEST(CommandLine, VersionAndHelp) {
@@ -117,7 +132,7 @@ TEST(CommandLine, VersionAndHelp) {
 
     const Outcome help = folder.abut({"--help"});
     EXPECT_EQ(help.exit_code, 0);
-    for (const char* command : {"run", "check", "particles", "render", "draw-ellipses", "schema", "reference"}) {
+    for (const char* command : {"run", "check", "particles", "render", "pack", "schema", "reference"}) {
         EXPECT_THAT(help.out, HasSubstr(command));
         const Outcome own = folder.abut({command, "--help"});
         EXPECT_EQ(own.exit_code, 0) << command;

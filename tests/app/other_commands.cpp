@@ -1,4 +1,4 @@
-/// check, particles, draw-ellipses, render; the generated documents; the example.
+/// check, particles, pack, render; the generated documents; the example.
 #include "app_support.h"
 
 #include "geometry/images/image.h"
@@ -75,10 +75,10 @@ TEST(Particles, WritesTheModel) {
     EXPECT_EQ(folder.abut({"particles", "scene.json", "-o", "nowhere/x.vtu"}).exit_code, 1);
 }
 
-TEST(DrawEllipses, MakesAPictureAndItsLegend) {
+TEST(Pack, MakesAPictureAndItsLegend) {
     const Folder folder;
-    const Arguments command{"draw-ellipses",   "bed.png", "--width", "60", "--height",   "80",    "--bodies", "6",
-                            "--area-fraction", "0.5",     "--seed",  "3",  "--material", "rubber"};
+    const Arguments command{"pack", "bed.png",         "--width", "60",     "--height", "80",         "--bodies",
+                            "6",    "--area-fraction", "0.5",     "--seed", "3",        "--material", "rubber"};
     const Outcome outcome = folder.abut(command);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const Image image = read_image(folder / "bed.png");
@@ -99,6 +99,18 @@ TEST(DrawEllipses, MakesAPictureAndItsLegend) {
     const std::string first = folder.read("bed.png");
     ASSERT_EQ(folder.abut(command).exit_code, 0);
     EXPECT_TRUE(folder.read("bed.png") == first) << "the same seed, another picture";
+}
+
+TEST(Pack, MakesASceneOfShapes) {
+    const Folder folder;
+    for (const char* grains : {"disks", "ellipses", "balls"}) {
+        const Outcome outcome = folder.abut(
+            {"pack", "bed.json", "--grains", grains, "--bodies", "5", "--area-fraction", "0.2", "--pixel", "1e-5"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const Outcome check = folder.abut({"check", "bed.json"});
+        EXPECT_EQ(check.exit_code, 0) << grains << check.err;
+        EXPECT_THAT(check.out, HasSubstr("5 bodies, "));
+    }
 }
 
 TEST(Render, DrawsEveryFrame) {

@@ -175,7 +175,7 @@ TEST(DrawEllipses, RefusesWhatCannotBe) {
     EXPECT_THAT(error([](auto& d) { d.bodies = 0; }), HasSubstr("at least 1 body"));
     EXPECT_THAT(error([](auto& d) { d.shades = 0; }), HasSubstr("shades must be"));
     EXPECT_THAT(error([](auto& d) { d.min_aspect = 0.5; }), HasSubstr("aspects"));
-    EXPECT_THAT(error([](auto& d) { d.max_size = 0.1; }), HasSubstr("sizes"));
+    EXPECT_THAT(error([](auto& d) { d.sizes.max = 0.1; }), HasSubstr("sizes"));
     EXPECT_THAT(error([](auto& d) { d.area_fraction = 1; }), HasSubstr("area fraction"));
     EXPECT_THAT(error([](auto& d) { d.gap = -1; }), HasSubstr("gap"));
     EXPECT_THAT(error([](auto& d) { d.background = 240; }), HasSubstr("is also the grey of a body"));
@@ -198,17 +198,24 @@ TEST(Shades, HardGraphs) {
 }
 
 TEST(LegendJson, IsALegendOfTheScene) {
-    EllipseDrawing drawing;
-    drawing.shades = 6;
-    const DrawnImage drawn = draw_ellipses(drawing);
-    const auto json = nlohmann::json::parse("{" + legend_json(drawn, "aluminium") + "}");
-    ASSERT_EQ(json["legend"].size(), 7u);
+    const PackedGrains packed = pack_grains({});
+    DrawingStyle style;
+    const auto json = nlohmann::json::parse("{" + legend_json(shade_grains(packed, style), "aluminium") + "}");
+    EXPECT_FALSE(json.contains("bodies"));
+    ASSERT_EQ(json["legend"].size(), 21u);
     EXPECT_EQ(json["legend"][0]["grey"], 10);
     EXPECT_EQ(json["legend"][0]["body"], "grain-01");
     EXPECT_EQ(json["legend"][0]["material"], "aluminium");
-    EXPECT_EQ(json["legend"][5]["grey"], 240);
-    EXPECT_EQ(json["legend"][6]["grey"], 255);
-    EXPECT_EQ(json["legend"][6]["void"], true);
+    EXPECT_EQ(json["legend"][19]["grey"], 240);
+    EXPECT_EQ(json["legend"][19]["body"], "grain-20");
+    EXPECT_EQ(json["legend"][20]["grey"], 255);
+    EXPECT_EQ(json["legend"][20]["void"], true);
+
+    style.shades = 6; // fewer than bodies: the legend alone can't tell them apart
+    const auto shared = nlohmann::json::parse("{" + legend_json(shade_grains(packed, style), "aluminium") + "}");
+    EXPECT_EQ(shared["bodies"], "by-component");
+    ASSERT_EQ(shared["legend"].size(), 7u);
+    for (int k = 0; k < 6; ++k) EXPECT_EQ(shared["legend"][k]["body"], "grain");
 }
 
 /// The published case's model: 2 × 2 pixels a particle, 20 bodies.
