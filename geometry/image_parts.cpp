@@ -85,7 +85,7 @@ void check_inside_grid(const Work& work, const LabelledImage& image) {
 /// Whether the body's colours (those of all the entries that name it) are absent, or cover too little.
 std::string why_no_particles(const Work& work, const LabelledImage& image, const LabelledBody& body,
                              const Vector& half_size) {
-    if (work.spec.bodies == BodiesBy::legend && body.pixels == 0) {
+    if (work.spec.bodies == BodiesBy::legend) {
         std::vector<std::string> colours;
         std::int64_t pixels = 0;
         for (std::size_t k = 0; k < work.spec.legend.size(); ++k) {
@@ -96,10 +96,14 @@ std::string why_no_particles(const Work& work, const LabelledImage& image, const
                                   : colour_name(entry.rgb));
             pixels += image.pixels_of_entry[k];
         }
+        const bool one = colours.size() == 1;
         if (pixels == 0)
-            return fmt::format("no pixel of the image has its colour{} {}", colours.size() == 1 ? "" : "s",
-                               fmt::join(colours, ", "));
-        return fmt::format("its {} are speckles", count_text(static_cast<std::size_t>(pixels), "pixel"));
+            return fmt::format("no pixel of the image has its colour{} {}", one ? "" : "s", fmt::join(colours, ", "));
+        if (body.pixels == 0)
+            return fmt::format("its {} are speckles", count_text(static_cast<std::size_t>(pixels), "pixel"));
+        return fmt::format("its colour{} {} cover{} {}, nowhere the largest part of a particle ({})", one ? "" : "s",
+                           fmt::join(colours, ", "), one ? "s" : "",
+                           count_text(static_cast<std::size_t>(pixels), "pixel"), edges_text(half_size));
     }
     return fmt::format("it has {}, nowhere the largest part of a particle ({})",
                        count_text(static_cast<std::size_t>(body.pixels), "pixel"), edges_text(half_size));

@@ -177,13 +177,20 @@ void check_crop(const ImageSpec& image, const std::string& pointer, Problems& pr
     }
 }
 
-void check_legend(const ImageSpec& image, const std::string& pointer, Problems& problems) {
+/// In plane stress nothing may press across the plane.
+void check_initial_stress(const InitialState& state, const Scene& scene, const std::string& pointer, Problems& problems) {
+    demand(!state.stress || scene.analysis != Analysis::plane_stress || (*state.stress)[2] == 0, pointer + "/stress/zz",
+           "must be 0 in plane stress", problems);
+}
+
+void check_legend(const ImageSpec& image, const Scene& scene, const std::string& pointer, Problems& problems) {
     for (std::size_t k = 0; k < image.legend.size(); ++k) {
         const LegendEntry& entry = image.legend[k];
         const std::string at = pointer + "/legend/" + std::to_string(k);
         if (entry.grey_range)
             demand((*entry.grey_range)[0] <= (*entry.grey_range)[1], at + "/grey_range",
                    "the highest grey must not be below the lowest", problems);
+        check_initial_stress(entry.state, scene, at, problems);
         if (entry.rigid && image.bodies != BodiesBy::legend)
             problems.push_back({at + "/rigid", "a rigid body is one body; it needs \"bodies\": \"legend\""});
     }
@@ -204,7 +211,7 @@ void check_images(const Scene& scene, Problems& problems) {
                                                    : "must be 4 or 8 in a plane scene",
                problems);
         check_crop(image, pointer, problems);
-        check_legend(image, pointer, problems);
+        check_legend(image, scene, pointer, problems);
     }
 }
 
@@ -219,6 +226,7 @@ void validate_matter(const Scene& scene, Problems& problems) {
         const std::string pointer = "/bodies/" + std::to_string(i);
         std::visit(ShapeCheck{scene, pointer, problems}, scene.bodies[i].shape);
         const BodySpec& body = scene.bodies[i];
+        check_initial_stress(body.state, scene, pointer, problems);
         if (body.arrangement == Arrangement::fitted && scene.analysis == Analysis::three_d)
             if (const auto* box = std::get_if<Box>(&body.shape); box && box->angle != 0)
                 problems.push_back({pointer + "/arrangement",

@@ -160,7 +160,7 @@ TEST(BuildModel, ColoursThatNoEntryCovers) {
     test.legend() = {grey(10, "left")};
     EXPECT_THAT(test.problems(),
                 ElementsAre("/images/0/legend: no entry covers grey 20 (6 pixels), grey 255 (4 pixels); "
-                            "add entries, or a tolerance to the ones there"));
+                            "add entries, a tolerance to the ones there, or a \"grey_range\""));
     Image many{16, 1, 3, {}};
     for (int k = 0; k < 16; ++k)
         for (const int value : {200, 40, k < 5 ? 0 : k}) many.pixels.push_back(static_cast<std::uint8_t>(value));
@@ -221,7 +221,7 @@ TEST(BuildModel, ImageWithoutSize) {
     PictureScene test(two_grains);
     test.scene.images[0].pixel = {0, 0};
     EXPECT_THAT(test.problems(),
-                ElementsAre("/images/0: needs the size of a pixel, or of the whole image, larger than 0"));
+                ElementsAre("/images/0: needs \"pixel\", the size of a pixel, or \"size\", that of the whole image; the file itself has none"));
     test.scene.images[0].size = {4, 4};
     test.legend() = {grey(10, "left"), grey(20, "right"), grey(255, "")};
     EXPECT_EQ(test.model().size(), 48u);

@@ -28,7 +28,7 @@ TEST(SceneAnalysis, ResolvedScenesHaveTheDefaultsOfTheirAnalysis) {
     EXPECT_EQ(resolved["bodies"][1]["velocity"], Json::array({0.0, 0.0, 0.0}));
     EXPECT_FALSE(resolved["bodies"][1].contains("velocity_center"));
     EXPECT_FALSE(resolved.contains("thickness"));
-    EXPECT_FALSE(resolved.contains("images"));
+    EXPECT_EQ(resolved["images"], Json::array());
 
     const Json ring = parsed(load(example_axisymmetric).resolved);
     EXPECT_FALSE(ring.contains("thickness"));
@@ -78,14 +78,14 @@ TEST(SceneAnalysis, KeysOfOneAnalysis) {
         {
             {"/thickness", "1", "/thickness",
              "only goes with \"analysis\": \"plane-strain\" or \"plane-stress\"; here it is \"3d\""},
-            {"/images", R"([{"file": "a.png"}])", "/images",
-             "here it is \"3d\"; images make plane bodies; 3d scenes "
-             "need bodies"},
+            {"/images", R"([{"file": "a_*.png", "lower": [0, 0, 0], "slice": 3, "legend": [{"grey": 0, "void": true}]}])",
+             "/images/0/slice", "here it is \"3d\""},
         },
         example_3d);
     expect_problems({{"/thickness", "1", "/thickness", "here it is \"axisymmetric\""}}, example_axisymmetric);
 
-    expect_problems({{"/bodies/0/box/angle", "0.1", "/bodies/0/box/angle", "here it is \"3d\""}}, example_3d);
+    EXPECT_THAT(problems_of(changed("/bodies/0/box/angle", "0.1", example_3d)), testing::IsEmpty());
+    expect_problems({{"/bodies/0/box/axis", "[0, 1]", "/bodies/0/box/axis", "here it is \"plane-strain\""}});
 
     Json scene = parsed(example_3d);
     scene["bodies"][1].erase("ball");
@@ -151,12 +151,11 @@ TEST(SceneAnalysis, ScenesThatNoFileMade) {
     scene.bodies[0].shape = Ball{{0, 0, 0}, 1};
     EXPECT_THAT(validate(scene), testing::ElementsAre(IsProblem("/bodies/0/ball", "only 3d scenes have balls")));
     scene = load(example_3d).scene;
-    std::get<Box>(scene.bodies[0].shape).angle = 0.1;
+    std::get<Box>(scene.bodies[0].shape).axis = {0, 0, 0};
     scene.bodies[1].shape = Disk{{0, 0, 0}, 1};
-    scene.images.emplace_back();
-    EXPECT_THAT(validate_numbers(scene), testing::UnorderedElementsAre(IsProblem("/bodies/0/box/angle", "plane scenes"),
-                                                                       IsProblem("/bodies/1/disk", "only plane scenes"),
-                                                                       IsProblem("/images", "3d scenes need bodies")));
+    EXPECT_THAT(validate_numbers(scene),
+                testing::UnorderedElementsAre(IsProblem("/bodies/0/box/axis", "must not have the length 0"),
+                                              IsProblem("/bodies/1/disk", "only plane scenes")));
 }
 
 } // namespace
