@@ -56,7 +56,7 @@ LabelVolume assemble(std::vector<std::vector<std::int32_t>> slices, const PixelO
             for (int column = 0; column < columns_and_rows[0]; ++column, place += order.step[0])
                 volume.label[static_cast<std::size_t>(place)] = label_of_colour[static_cast<std::size_t>(*colour++)];
         }
-        slice = {};
+        slice = std::vector<std::int32_t>();
         slice_start += order.step[2];
     }
     return volume;
@@ -99,7 +99,7 @@ void find_components(LabelledImage& image, const ImageSpec& spec, int dimension,
         if (const std::int32_t body = found.volume.label[p]; body > 0)
             entries[static_cast<std::size_t>(body - 1)] =
                 kinds[static_cast<std::size_t>(image.volume.label[p] - 1)].entry;
-    image.volume.label = {}; // not needed any more, and the division needs much memory
+    image.volume.label = std::vector<std::int32_t>(); // not needed any more, and the division needs much memory
     if (spec.split) {
         std::vector<int> of_parts;
         for (const std::int32_t component :

@@ -133,7 +133,7 @@ std::vector<std::int32_t> split_at_necks(Components& components, int connectivit
         return same;
     }
     const Levels levels = levels_of(squared, order);
-    squared = {};
+    squared = std::vector<float>(); // "= {}" would keep the memory
     const Neighbours neighbours(volume.size, connectivity);
     const std::vector<Pixel> markers = markers_of(volume, neighbours, levels, order, depth);
 

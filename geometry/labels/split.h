@@ -23,7 +23,8 @@ namespace abut {
 ///
 /// \param connectivity of pixels, as that of the components
 /// \param spacing size of a pixel along each axis; only the ratios matter. The unit of depth is the smallest of them.
-/// \param depth larger than 0 [pixels]
+/// \param depth larger than 0 [pixels]. At 0.5 the pixels' own roughness makes parts; 0.75 to 1.5 found every grain of
+/// the stacks of tests/geometry/labels_ct.cpp.
 /// \return the number of the component that each part was of
 std::vector<std::int32_t> split_at_necks(Components& components, int connectivity, const std::array<double, 3>& spacing,
                                          double depth);
