@@ -138,17 +138,20 @@ Components connected_components(const LabelVolume& labels, int connectivity, int
     return result;
 }
 
-std::int32_t number_in_scanning_order(LabelVolume& volume) {
-    if (volume.label.empty()) return 0;
+std::vector<std::int32_t> number_in_scanning_order(LabelVolume& volume) {
+    if (volume.label.empty()) return {};
     const auto largest = static_cast<std::size_t>(*std::max_element(volume.label.begin(), volume.label.end()));
     std::vector<std::int32_t> number(largest + 1, 0);
-    std::int32_t count = 0;
+    std::vector<std::int32_t> former;
     for (std::int32_t& label : volume.label) {
         if (label == 0) continue;
-        if (number[label] == 0) number[label] = ++count;
+        if (number[label] == 0) {
+            former.push_back(label);
+            number[label] = static_cast<std::int32_t>(former.size());
+        }
         label = number[label];
     }
-    return count;
+    return former;
 }
 
 } // namespace abut

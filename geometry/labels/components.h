@@ -31,8 +31,8 @@ struct Components {
 /// \param void_connectivity of label 0; 0: void is left out and keeps its 0
 Components connected_components(const LabelVolume& labels, int connectivity, int void_connectivity = 0);
 
-/// Replaces labels other than 0 by numbers from 1 in the order in which scanning first meets them, and returns how many
-/// there are.
-std::int32_t number_in_scanning_order(LabelVolume& volume);
+/// Replaces labels other than 0 by numbers from 1 in the order in which scanning first meets them.
+/// \return the former label of each number
+std::vector<std::int32_t> number_in_scanning_order(LabelVolume& volume);
 
 } // namespace abut

@@ -56,7 +56,7 @@ LabelVolume assemble(std::vector<std::vector<std::int32_t>> slices, const PixelO
             for (int column = 0; column < columns_and_rows[0]; ++column, place += order.step[0])
                 volume.label[static_cast<std::size_t>(place)] = label_of_colour[static_cast<std::size_t>(*colour++)];
         }
-        slice = {};
+        slice = std::vector<std::int32_t>();
         slice_start += order.step[2];
     }
     return volume;
@@ -83,19 +83,31 @@ std::array<double, 3> shape_of_pixel(const ImageSpec& spec, int dimension, const
     return shape;
 }
 
+void check_number(std::int32_t components, const ImageSpec& spec) {
+    if (components <= most_bodies) return;
+    throw std::runtime_error(fmt::format("has {} components that would each be a body, more than {}: probably noise; "
+                                         "raise \"speckle\"{}, or smooth the image",
+                                         components, most_bodies, spec.split ? " or \"split\"" : ""));
+}
+
 void find_components(LabelledImage& image, const ImageSpec& spec, int dimension, const std::vector<PixelKind>& kinds) {
     const int connectivity = used_connectivity(spec, dimension);
     Components found = connected_components(image.volume, connectivity);
-    if (spec.split) split_at_necks(found, connectivity, shape_of_pixel(spec, dimension, image), *spec.split);
-    if (found.count > most_bodies)
-        throw std::runtime_error(fmt::format("has {} components that would each be a body, more than {}: probably "
-                                             "noise; raise \"speckle\"{}, or smooth the image",
-                                             found.count, most_bodies, spec.split ? " or \"split\"" : ""));
+    check_number(found.count, spec);
     std::vector<int> entries(static_cast<std::size_t>(found.count));
     for (std::size_t p = 0; p < image.volume.label.size(); ++p)
         if (const std::int32_t body = found.volume.label[p]; body > 0)
             entries[static_cast<std::size_t>(body - 1)] =
                 kinds[static_cast<std::size_t>(image.volume.label[p] - 1)].entry;
+    image.volume.label = std::vector<std::int32_t>(); // not needed any more, and the division needs much memory
+    if (spec.split) {
+        std::vector<int> of_parts;
+        for (const std::int32_t component :
+             split_at_necks(found, connectivity, shape_of_pixel(spec, dimension, image), *spec.split))
+            of_parts.push_back(entries[static_cast<std::size_t>(component - 1)]);
+        entries = std::move(of_parts);
+        check_number(found.count, spec);
+    }
     image.volume = std::move(found.volume);
     const std::vector<std::string> names = names_by_component(entries, spec.legend);
     for (std::size_t k = 0; k < names.size(); ++k) image.bodies.push_back({names[k], entries[k], 0});

@@ -26,12 +26,11 @@ struct LabelledBody {
 struct LabelledImage {
     LabelVolume volume; ///< 0 void, k > 0 bodies[k - 1]
     std::vector<LabelledBody> bodies;
-    std::vector<std::int64_t>
-        pixels_of_entry;                    ///< per legend entry, of the part that is used, before speckles are removed
-    std::vector<UnmatchedColour> unmatched; ///< colours that no entry covers, most frequent first; their label is 0
-    std::array<double, 3> spacing{};        ///< size of a pixel along x, y, z that the file states [m]; 0: none
-    std::int64_t speckle_pixels = 0;        ///< pixels that changed hands
-    int speckles = 0;                       ///< components that did
+    std::vector<std::int64_t> pixels_of_entry; ///< per legend entry, of what is used, before speckles are removed
+    std::vector<UnmatchedColour> unmatched;    ///< colours that no entry covers, most frequent first; their label is 0
+    std::array<double, 3> spacing{};           ///< size of a pixel along x, y, z that the file states [m]; 0: none
+    std::int64_t speckle_pixels = 0;           ///< pixels that changed hands
+    int speckles = 0;                          ///< components that did
 };
 
 /// More bodies than this are taken for noise.

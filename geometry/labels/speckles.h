@@ -19,8 +19,9 @@ struct RemovedSpeckles {
 /// components of its new label that it touches, until none is left that is too small, but where nothing else is left.
 ///
 /// Void connects with the complementary connectivity, so that it is a hole just where the bodies' pixels close a ring
-/// or a shell by their own connectivity. Memory: 8 bytes per pixel beside the labels, and 24 per component. \param
-/// connectivity of labels other than 0
+/// or a shell by their own connectivity. Memory: 8 bytes per pixel beside the labels, and 24 per component.
+///
+/// \param connectivity of labels other than 0
 RemovedSpeckles remove_speckles(LabelVolume& labels, int connectivity, std::int64_t smallest);
 
 } // namespace abut

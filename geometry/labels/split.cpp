@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace abut {
 
@@ -39,7 +40,7 @@ std::vector<Pixel> by_falling_distance(const std::vector<float>& squared) {
     return order;
 }
 
-/// The distinct distances, falling; replaces each pixel's distance (reinterpreted as a number) by its place among them.
+/// The distinct distances, falling, and the place of each pixel's distance among them.
 struct Levels {
     std::vector<double> distance;
     std::vector<std::uint32_t> of_pixel; ///< none where the distance is 0
@@ -119,37 +120,51 @@ private:
 
 } // namespace
 
-void split_at_necks(Components& components, int connectivity, const std::array<double, 3>& spacing, double depth) {
+std::vector<std::int32_t> split_at_necks(Components& components, int connectivity, const std::array<double, 3>& spacing,
+                                         double depth) {
     LabelVolume& volume = components.volume;
     const double unit = *std::min_element(spacing.begin(), spacing.end());
     std::vector<float> squared =
         squared_distance_to_others(volume, {spacing[0] / unit, spacing[1] / unit, spacing[2] / unit});
     std::vector<Pixel> order = by_falling_distance(squared);
-    if (order.empty() || std::isinf(squared[order.front()])) return; // no body, or one that has no outside
+    if (order.empty() || std::isinf(squared[order.front()])) { // no body, or one that has no outside
+        std::vector<std::int32_t> same(static_cast<std::size_t>(components.count));
+        std::iota(same.begin(), same.end(), 1);
+        return same;
+    }
     const Levels levels = levels_of(squared, order);
-    squared = {};
+    squared = std::vector<float>(); // "= {}" would keep the memory
     const Neighbours neighbours(volume.size, connectivity);
     const std::vector<Pixel> markers = markers_of(volume, neighbours, levels, order, depth);
 
     order.resize(volume.label.size()); // its memory serves once more
     Queues waiting(levels.distance.size(), std::move(order));
-    std::vector<std::int32_t> part(volume.label.size(), 0);
-    for (std::size_t k = 0; k < markers.size(); ++k) {
-        part[markers[k]] = static_cast<std::int32_t>(k + 1);
-        waiting.push(levels.of_pixel[markers[k]], markers[k]);
+    std::vector<std::int32_t> component_of_part;
+    // A pixel's component is overwritten by its part, with a minus sign, when it comes to it.
+    const auto take = [&](std::uint32_t level, std::size_t p, std::int32_t part) {
+        volume.label[p] = -part;
+        waiting.push(std::max(level, levels.of_pixel[p]), static_cast<Pixel>(p));
+    };
+    for (const Pixel marker : markers) {
+        component_of_part.push_back(volume.label[marker]);
+        take(0, marker, static_cast<std::int32_t>(component_of_part.size()));
     }
     for (std::uint32_t level = 0; level < levels.distance.size(); ++level) {
         while (!waiting.is_empty(level)) {
             const Pixel p = waiting.pop(level);
+            const std::int32_t part = -volume.label[p];
+            const std::int32_t component = component_of_part[static_cast<std::size_t>(part - 1)];
             neighbours.visit(p, [&](std::size_t q) {
-                if (part[q] != 0 || volume.label[q] != volume.label[p]) return;
-                part[q] = part[p];
-                waiting.push(std::max(level, levels.of_pixel[q]), static_cast<Pixel>(q));
+                if (volume.label[q] == component) take(level, q, part);
             });
         }
     }
-    volume.label = std::move(part);
-    components.count = number_in_scanning_order(volume);
+    for (std::int32_t& label : volume.label) label = -label;
+    std::vector<std::int32_t> component_of_number;
+    for (const std::int32_t part : number_in_scanning_order(volume))
+        component_of_number.push_back(component_of_part[static_cast<std::size_t>(part - 1)]);
+    components.count = static_cast<std::int32_t>(component_of_number.size());
+    return component_of_number;
 }
 
 } // namespace abut

@@ -85,6 +85,6 @@ TEST(LabelsComponents, NothingAndOnlyVoid) {
 
 TEST(LabelsComponents, NumberInScanningOrder) {
     LabelVolume volume{{6, 1, 1}, {7, 0, 3, 7, 9, 3}};
-    EXPECT_EQ(number_in_scanning_order(volume), 3);
+    EXPECT_THAT(number_in_scanning_order(volume), ElementsAre(7, 3, 9));
     EXPECT_THAT(volume.label, ElementsAre(1, 0, 2, 1, 3, 2));
 }

@@ -1,8 +1,8 @@
-// From slices to bodies: order of the steps, names, counts, and what is refused.
+// From slices to bodies: order of the steps, names and counts.
 #include "geometry/labels/label_image.h"
 
+#include "labels_stack.h"
 #include "labels_support.h"
-#include "support.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,56 +10,15 @@
 
 using namespace abut; // NOLINT(google-build-using-namespace): the room under test
 using test::grey;
+using test::label;
+using test::range;
+using test::slice;
+using test::spec_of;
+using test::Stack;
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 namespace {
 
-/// A stack in memory.
-struct Stack {
-    std::vector<Image> slices;
-    StackInfo info() const {
-        return {slices[0].width, slices[0].height, static_cast<int>(slices.size()), slices[0].bits, {}};
-    }
-    ReadSlices read() const {
-        return [this](int first, int last, const std::function<void(int, const Image&)>& visit) {
-            for (int slice = first; slice <= last; ++slice) visit(slice, slices[static_cast<std::size_t>(slice)]);
-        };
-    }
-};
-
-/// A picture from its rows, top first: '.' is grey 0, digits are their greys.
-Image slice(const std::vector<std::string>& rows) {
-    std::vector<std::vector<int>> greys;
-    for (const std::string& row : rows) {
-        greys.emplace_back();
-        for (const char each : row) greys.back().push_back(each == '.' ? 0 : each - '0');
-    }
-    return test::picture(greys);
-}
-
-LabelledImage label(const ImageSpec& spec, const Stack& stack, int dimension = 2) {
-    return label_stack(spec, dimension, stack.info(), stack.read());
-}
-LabelledImage label(const ImageSpec& spec, const std::vector<std::string>& rows) {
-    return label(spec, Stack{{slice(rows)}});
-}
-std::string error_of(const ImageSpec& spec, const Stack& stack, int dimension = 2) {
-    return test::message_of([&] { label(spec, stack, dimension); });
-}
-
-LegendEntry range(int lowest, int highest, const std::string& body) {
-    LegendEntry entry = grey(0, body);
-    entry.grey_range = {{lowest, highest}};
-    return entry;
-}
-ImageSpec spec_of(const std::vector<LegendEntry>& legend, BodiesBy bodies = BodiesBy::legend) {
-    ImageSpec spec;
-    spec.legend = legend;
-    spec.bodies = bodies;
-    return spec;
-}
 std::vector<std::string> names(const LabelledImage& image) {
     std::vector<std::string> result;
     for (const LabelledBody& body : image.bodies)
@@ -247,89 +206,4 @@ TEST(LabelsImage, SizeOfPixelsTurnsWithThem) {
     spec.quarter_turns = 3;
     EXPECT_THAT(label_stack(spec, 2, info, stack.read()).spacing, ElementsAre(2, 1, 3));
     EXPECT_THAT(label_stack(spec, 2, info, stack.read()).volume.size, ElementsAre(1, 2, 1));
-}
-
-// === What is refused
-
-TEST(LabelsImage, RefusesWhatIsNotThere) {
-    const ImageSpec spec = spec_of({grey(1, "a")});
-    const Stack two{{slice({"11", "11", "11"}), slice({"11", "11", "11"})}}, one{{slice({"11"})}};
-    const auto with = [&](auto change) {
-        ImageSpec other = spec;
-        change(other);
-        return other;
-    };
-    EXPECT_EQ(error_of(spec, two), "is a stack of 2 slices; name the one to use: \"slice\" from 0 to 1");
-    EXPECT_EQ(error_of(with([](auto& s) { s.slice = 2; }), two), "has slices 0 to 1; \"slice\" is 2");
-    EXPECT_EQ(error_of(with([](auto& s) { s.slice = -1; }), one), "has one slice, 0; \"slice\" is -1");
-    EXPECT_THAT(error_of(with([](auto& s) { s.slice = 0; }), two, 3), HasSubstr("needs no \"slice\" in a 3D scene"));
-    EXPECT_EQ(error_of(with([](auto& s) {
-                           s.crop = {{{{0, 2}}, {{0, 0}}, {{0, 0}}}};
-                       }),
-                       one),
-              "cannot be cropped to columns 0 to 2: it has 2 x 1 pixels, so columns go from 0 to 1");
-    EXPECT_EQ(error_of(with([](auto& s) {
-                           s.crop = {{{{0, 1}}, {{-1, 2}}, {{0, 0}}}};
-                       }),
-                       two, 3),
-              "cannot be cropped to rows -1 to 2: it has 2 x 3 pixels in 2 slices, so rows go from 0 to 2");
-    EXPECT_THAT(error_of(with([](auto& s) {
-                             s.crop = {{{{0, 1}}, {{0, 2}}, {{1, 2}}}};
-                         }),
-                         two, 3),
-                StartsWith("cannot be cropped to slices 1 to 2: "));
-    EXPECT_THAT(error_of(with([](auto& s) {
-                             s.crop = {{{{1, 0}}, {{0, 0}}, {{0, 0}}}};
-                         }),
-                         one),
-                HasSubstr("columns 1 to 0: the last comes before the first"));
-}
-
-TEST(LabelsImage, RefusesWhatDoesNotFit) {
-    const Stack one{{slice({"11"})}};
-    ImageSpec spec = spec_of({grey(1, "a")});
-    spec.connectivity = 6;
-    EXPECT_EQ(error_of(spec, one), "has pixels with 4 or 8 neighbours in a plane; connectivity is 6");
-    spec.connectivity = 8;
-    EXPECT_EQ(error_of(spec, one, 3), "has pixels with 6, 18 or 26 neighbours in 3D; connectivity is 8");
-    spec.connectivity = 0;
-    spec.split = 1;
-    EXPECT_THAT(error_of(spec, one), HasSubstr("only where bodies go by \"component\""));
-    spec.bodies = BodiesBy::component;
-    spec.split = 0;
-    EXPECT_THAT(error_of(spec, one), HasSubstr("larger than 0 pixels, not 0"));
-    spec.split.reset();
-    spec.turn_axis = 0;
-    EXPECT_EQ(error_of(spec, one), "");
-    spec.quarter_turns = 1;
-    EXPECT_THAT(error_of(spec, one), HasSubstr("about z only in a plane scene"));
-    Stack odd{{slice({"11"}), slice({"1"})}};
-    spec.turn_axis = 2;
-    EXPECT_EQ(error_of(spec, odd, 3), "has 1 x 1 pixels in slice 1, but 2 x 1 elsewhere");
-}
-
-TEST(LabelsImage, RefusesMoreThanCanBeCountedBeforeItReads) {
-    const StackInfo info{1 << 14, 1 << 14, 8, 8, {}};
-    const auto never = [](int, int, const auto&) { FAIL() << "reads"; };
-    EXPECT_THAT(test::message_of([&] { label_stack(spec_of({grey(1, "a")}), 3, info, never); }),
-                HasSubstr("has 16384 x 16384 pixels in 8 slices: more than the 2147483647 pixels"));
-}
-
-TEST(LabelsImage, RefusesNoise) {
-    std::vector<std::vector<int>> board(700, std::vector<int>(700, 0));
-    for (std::size_t j = 0; j < 700; ++j)
-        for (std::size_t i = 0; i < 700; ++i) board[j][i] = (i + j) % 2;
-    ImageSpec spec = spec_of({grey(0, ""), grey(1, "a")}, BodiesBy::component);
-    const Stack stack{{test::picture(board)}};
-    EXPECT_EQ(error_of(spec, stack), "has 245000 components that would each be a body, more than 100000: probably "
-                                     "noise; raise \"speckle\", or smooth the image");
-    spec.connectivity = 8;
-    EXPECT_EQ(error_of(spec, stack), "");
-    Image colours{400, 400, 3, {}};
-    for (int p = 0; p < 400 * 400; ++p)
-        for (const int channel : {p & 255, (p >> 8) & 255, p >> 16})
-            colours.pixels.push_back(static_cast<std::uint16_t>(channel));
-    spec = spec_of({grey(128, "a")}, BodiesBy::colour);
-    spec.legend[0].tolerance = 128;
-    EXPECT_THAT(error_of(spec, Stack{{colours}}), HasSubstr("has 160000 colours that would each be a body"));
 }
