@@ -110,8 +110,8 @@ std::vector<std::array<int, 3>> compass(double reach, bool space) {
 /// Twice the smallest distance to the outside at points from which it grows nowhere [m].
 double thinnest_of(const std::vector<const Part*>& parts) {
     const Raster raster = raster_of(parts);
-    std::vector<float> distance =
-        squared_distance_to_outside(raster.inside, raster.size, raster.spacing, {true, true, parts.front()->lattice.dimension == 3});
+    std::vector<float> distance = squared_distance_to_outside(raster.inside, raster.size, raster.spacing,
+                                                              {true, true, parts.front()->lattice.dimension == 3});
     for (float& d : distance) d = std::sqrt(d);
     const bool space = parts.front()->lattice.dimension == 3;
     // Three places: steps of the outline are seen no more, but bars of that length are.

@@ -25,8 +25,8 @@ ValueVolume value_image(const ImageSpec& spec, int dimension, const std::filesys
             for (int column = used[0][0]; column <= used[0][1]; ++column) {
                 const std::array<int, 3> rgb = image.rgb(column, row);
                 if (rgb[0] != rgb[1] || rgb[1] != rgb[2])
-                    throw std::runtime_error(fmt::format("has colours, at column {}, row {}; values need a grey image",
-                                                         column, row));
+                    throw std::runtime_error(
+                        fmt::format("has colours, at column {}, row {}; values need a grey image", column, row));
                 const std::ptrdiff_t place = order.first + (column - used[0][0]) * order.step[0] +
                                              (row - used[1][0]) * order.step[1] + (slice - used[2][0]) * order.step[2];
                 values.volume.label[static_cast<std::size_t>(place)] = rgb[0];

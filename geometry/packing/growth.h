@@ -21,9 +21,10 @@ void grow_to(Grains& grains, double fraction, const std::string& name, std::size
     for (double share = std::min(first, fraction);; share = std::min(share + step, fraction)) {
         grains.set_fraction(share);
         if (!grains.fits())
-            throw std::runtime_error(fmt::format("the largest of {} {} that fill {:.2f} of the box is larger than the box; "
-                                                 "ask for more bodies, more equal sizes or a wider box",
-                                                 count, name, share));
+            throw std::runtime_error(
+                fmt::format("the largest of {} {} that fill {:.2f} of the box is larger than the box; "
+                            "ask for more bodies, more equal sizes or a wider box",
+                            count, name, share));
         int sweep = 0;
         while (sweep < most_sweeps && !grains.apart()) {
             grains.relax_once();

@@ -47,7 +47,8 @@ bool on_one_path(const std::string& a, const std::string& b) {
 /// Whether a name can fit nothing just because what it could fit was not readable.
 bool follows_from(const std::string& name, const std::string& unreadable) {
     if (unreadable == "/materials") return name.ends_with("/material");
-    if (unreadable.starts_with("/images/") && unreadable.ends_with("/bodies")) return name.starts_with("/contact/laws/");
+    if (unreadable.starts_with("/images/") && unreadable.ends_with("/bodies"))
+        return name.starts_with("/contact/laws/");
     if (unreadable == "/shapes") return name.starts_with("/bodies/");
     const bool of_body = name.starts_with("/contact/laws/") || name.ends_with("/traction/body");
     return (unreadable == "/bodies" || unreadable == "/images") && of_body;

@@ -52,24 +52,43 @@ filled in, SI units; it can be run again and gives the same results bit for bit.
 ## How things are meant
 
 **Cells and particles.** The grid's box is divided in the nearest whole number of cells along each axis, so a cell may
-be a little smaller or larger than asked for; `abut check` prints its size. Disks, ellipses and images are filled with
-the places of one lattice, which starts at the grid's lower corner and has `particles_per_cell` particles in a cell
-along each axis; a place belongs to a disk or an ellipse if its centre lies in it. A box has a lattice of its own that
-fits it exactly; its particles are never wider than a cell. Bodies may touch but not overlap, must lie in the grid and
-be no smaller than a cell.
+be a little smaller or larger than asked for; `abut check` prints its size. Bodies are filled with the places of one
+lattice, which starts at the grid's lower corner and has `particles_per_cell` particles in a cell along each axis. With
+`fill` `centre` (shapes) or `majority` (images) a body has whole particles at the places whose centre it holds, or
+of which it covers most: outlines have steps, and areas are off by some per cent if bodies are few particles wide. With
+`covered-fraction` it has a particle wherever it covers any of a place, and the particle has the area (volume) of what is covered,
+its centre and its proportions, in plane scenes with `cpdi` and `b2cpdi` also its direction: areas are right to 0.01 % or
+better, and outlines are smooth. A box has a lattice of its own that fits it exactly (`arrangement` `fitted`, which
+others can have too); its particles are never wider than a cell. Bodies may touch but not overlap, unless `overlap` says
+who gives way; they must lie in the grid and be no smaller than a cell. `abut particles` prints for each body its area in
+particles and in its image or shape, and how many cells its thinnest part is wide: less than two is too little.
+
+**Shapes.** A body has one shape. `shapes` gives shapes names, so that others can be made of them by `union`,
+`difference` and `intersection`. Surfaces from files must be closed, must not cross themselves and must have their outside
+outside; else `abut check` says what is wrong, how often and where first. Files have no units: `scale` is the length of
+one unit, `"scale": "1 mm"` for a file in millimetres. An implicit surface is meshed to a thousandth of a particle's edge.
 
 **Analyses.** `plane-strain` allows no stretch across the plane; `plane-stress` finds the one that leaves no stress
 across it, and so needs materials with a shear modulus. In `axisymmetric` scenes bodies are full rings about the axis
 x = 0; nothing lies at x < 0, so the grid begins at 0 or at least 2 cells away from it, and gravity may only act along
-y. Images, disks and ellipses are for these three, balls for `3d`.
+y. The headings of shapes below say which are plane and which for `3d`; boxes, combinations and images are for both.
 
-**Images** may be PNG, TIFF, JPEG or uncompressed BMP, with 8 bits a channel (grey, palette or RGB) and no
-transparency; 16-bit images and images with transparent pixels are refused. Lossy JPEG blurs colours: use it with
-`tolerance` only. The first row of the image is the top of the scene unless `up` says otherwise. A particle gets
-the body whose pixels cover most of it, whatever the sizes of pixels and particles; the empty space beyond the image's
-edge counts as void; of equal shares a body wins over void, and the body that comes first in the legend over others. A
-colour that no entry covers is an error that names it; an image without empty space needs no `void` entry. Entries of
-the same `body` make up one body.
+**Images** may be PNG, TIFF, JPEG, uncompressed BMP or VTI, of 8 or 16 bits a channel, grey, palette or RGB, without
+transparency. Several slices (TIFF of several pages, VTI, numbered files) are a stack: the bodies of a `3d` scene, the first
+slice lowest, or one `slice` of a plane scene; a single image in `3d` is a stack of one slice, a plate. An image is cropped,
+then placed with its first row up (unless `up` says otherwise), mirrored (`flip`) and turned (`quarter_turns`); what is left
+begins at `lower`. `pixel` and `size` count along the axes of the scene. Lossy JPEG blurs colours: use it with
+`tolerance` or `grey_range`. A colour that no entry covers is an error that names it; an image without empty space needs no
+`void` entry. An exact colour wins over a tolerance, a tolerance over a range. Places of the lattice that an image covers in part only are
+void there; of equal shares a body wins over void, and the body that comes first over others. Entries of
+the same `body` make up one body, unless `bodies` is `by-colour` or `by-component`: then each colour, or each connected
+piece, is one, and the entry's name stands for all of them in `contact/laws`. Noise first: `speckle` removes
+pieces of fewer pixels, `split` (1 suits grains) then divides what grew together.
+
+**Initial state.** `velocity`, `velocity_gradient` and `angular_velocity` add up. `stress` is there from the start and acts on the
+first step: it is in equilibrium only if something holds the body. Temperatures and orientations are stored and
+written if any body has one, but no law of this version uses them. An image of the same pixels may give them place by place:
+temperatures are averaged over a particle, orientations taken at its centre.
 
 **Time.** The time step follows the wave speed in the stiffest particle (materials stiffen when compressed), unless
 `step` fixes it; a fixed step above the stable one is refused at the start and ends the run later. With `fmpm` the

@@ -98,7 +98,10 @@ std::vector<Key> contact_keys() {
     };
     append(law_keys("/contact/law"));
     append({
-        {.path = "/contact/laws", .kind = Kind::list, .otherwise = "[]", .meaning = "Laws of single pairs of bodies."},
+        {.path = "/contact/laws",
+         .kind = Kind::list,
+         .otherwise = "[]",
+         .meaning = "Laws of single pairs of bodies; of several that fit a pair the first holds."},
         {.path = "/contact/laws/#", .kind = Kind::object, .meaning = "The law of one pair."},
         {.path = "/contact/laws/#/bodies",
          .kind = Kind::list,

@@ -178,7 +178,8 @@ void check_crop(const ImageSpec& image, const std::string& pointer, Problems& pr
 }
 
 /// In plane stress nothing may press across the plane.
-void check_initial_stress(const InitialState& state, const Scene& scene, const std::string& pointer, Problems& problems) {
+void check_initial_stress(const InitialState& state, const Scene& scene, const std::string& pointer,
+                          Problems& problems) {
     demand(!state.stress || scene.analysis != Analysis::plane_stress || (*state.stress)[2] == 0, pointer + "/stress/zz",
            "must be 0 in plane stress", problems);
 }

@@ -169,13 +169,13 @@ TEST(BadImage, OpaqueAlphaIsFine) {
     EXPECT_EQ(folder.abut({"check", "good.json"}).exit_code, 0);
 }
 
-TEST(BadImage, SixteenBit) {
+TEST(BadImage, AnimatedOrOfNoKnownKind) {
     const Folder folder;
-    folder.write("picture.png", grey_png(16, {0, 0, 0, 0, 255, 255, 255, 255}));
+    folder.write("picture.png", "GIF89a and more");
     folder.write("bad.json", image_scene().dump());
     const Outcome outcome = folder.abut({"run", "bad.json"});
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, AllOf(StartsWith("bad.json: /images/0/file: image \""), HasSubstr("16 bit")));
+    EXPECT_THAT(outcome.err, AllOf(StartsWith("bad.json: /images/0/file: image \""), HasSubstr("GIF")));
 }
 
 TEST(BadImage, ColourThatTheLegendLacks) {

@@ -95,7 +95,8 @@ TEST(Prestress, IsTheStressAtTheStartAlsoOfTurnedDomains) {
 TEST(Prestress, OfOthersIsNotStored) {
     Model model;
     add_box(model, add_body(model, "block"), -0.5, -0.25, 0.5, 0.25, 20, 10);
-    EXPECT_TRUE(make_state<2>(plane_scene(0.1, -1, -1, 1, 1, material(1000, 2e6, 1e6)), model).particles.prestress.empty());
+    EXPECT_TRUE(
+        make_state<2>(plane_scene(0.1, -1, -1, 1, 1, material(1000, 2e6, 1e6)), model).particles.prestress.empty());
 }
 
 /// A bar in tension that lets go: it shrinks by T (1 − ν²)/E (plane strain, free sides) and ends without stress.
@@ -135,7 +136,8 @@ TEST(Prestress, ConservesEnergy) {
         EXPECT_NEAR(all.momentum[0], 0, 1e-9);
         EXPECT_NEAR(all.momentum[1], 0, 1e-9);
     }
-    std::printf("kinetic energy up to %.3e J, energy made or lost at most %.2e of it\n", most_kinetic, worst / most_kinetic);
+    std::printf("kinetic energy up to %.3e J, energy made or lost at most %.2e of it\n", most_kinetic,
+                worst / most_kinetic);
     EXPECT_GT(most_kinetic, 0.3);
     EXPECT_LT(worst, 0.05 * most_kinetic);
 }

@@ -220,8 +220,8 @@ TEST(BuildModel, ImageBeyondTheGrid) {
 TEST(BuildModel, ImageWithoutSize) {
     PictureScene test(two_grains);
     test.scene.images[0].pixel = {0, 0};
-    EXPECT_THAT(test.problems(),
-                ElementsAre("/images/0: needs \"pixel\", the size of a pixel, or \"size\", that of the whole image; the file itself has none"));
+    EXPECT_THAT(test.problems(), ElementsAre("/images/0: needs \"pixel\", the size of a pixel, or \"size\", that of "
+                                             "the whole image; the file itself has none"));
     test.scene.images[0].size = {4, 4};
     test.legend() = {grey(10, "left"), grey(20, "right"), grey(255, "")};
     EXPECT_EQ(test.model().size(), 48u);

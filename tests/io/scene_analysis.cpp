@@ -78,7 +78,8 @@ TEST(SceneAnalysis, KeysOfOneAnalysis) {
         {
             {"/thickness", "1", "/thickness",
              "only goes with \"analysis\": \"plane-strain\" or \"plane-stress\"; here it is \"3d\""},
-            {"/images", R"([{"file": "a_*.png", "lower": [0, 0, 0], "slice": 3, "legend": [{"grey": 0, "void": true}]}])",
+            {"/images",
+             R"([{"file": "a_*.png", "lower": [0, 0, 0], "slice": 3, "legend": [{"grey": 0, "void": true}]}])",
              "/images/0/slice", "here it is \"3d\""},
         },
         example_3d);
