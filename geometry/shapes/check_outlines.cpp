@@ -2,12 +2,14 @@
 #include "geometry/shapes/outline.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 namespace abut {
 
@@ -16,37 +18,69 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 
+/// An edge from a to b, with the corner before it.
 struct Segment {
-    Point a, b;
-    std::size_t outline;
-    double left() const { return std::min(a.x(), b.x()); }
-    double right() const { return std::max(a.x(), b.x()); }
+    Point before, a, b;
+    std::size_t outline, index, count; ///< count: of edges of its outline
+};
+using EdgeBox = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, std::vector<Segment>::const_iterator>;
+
+int side(const Point& from, const Point& to, const Point& p) {
+    return static_cast<int>(CGAL::orientation(from, to, p));
+}
+
+/// Whether a point on the line through the ends of a segment lies on the segment.
+bool within(const Segment& s, const Point& p) {
+    return std::min(s.a, s.b) <= p && p <= std::max(s.a, s.b);
+}
+
+/// Whether p lies in the sector on the left of the way from `before` over `corner` to `after`.
+bool on_left(const Point& before, const Point& corner, const Point& after, const Point& p) {
+    const bool first = side(before, corner, p) > 0, second = side(corner, after, p) > 0;
+    return side(before, corner, after) > 0 ? first && second : first || second;
+}
+
+struct Doubt {
+    Point where;
+    bool touch = false; ///< one outline, which only touches itself there
 };
 
-/// A place that two segments share, if it makes what is inside doubtful: where they cross, or run along each other.
-/// Outlines may touch in a point.
-std::optional<Point> doubtful(const Segment& s, const Segment& t) {
-    if (std::max(s.a.y(), s.b.y()) < std::min(t.a.y(), t.b.y()) ||
-        std::max(t.a.y(), t.b.y()) < std::min(s.a.y(), s.b.y()))
-        return {};
-    const CGAL::Orientation sa = CGAL::orientation(t.a, t.b, s.a);
-    const CGAL::Orientation sb = CGAL::orientation(t.a, t.b, s.b);
-    if (sa == CGAL::COLLINEAR && sb == CGAL::COLLINEAR) {
+/// A place that two segments share, if it makes what is inside doubtful: where they cross, run along each other, or
+/// touch within one outline. Two outlines may touch in a point, if one does not lead through the other there.
+std::optional<Doubt> doubtful(const Segment& s, const Segment& t) {
+    const int sa = side(t.a, t.b, s.a), sb = side(t.a, t.b, s.b);
+    if (sa == 0 && sb == 0) {
         // On one line, in the order along it.
-        const auto [s0, s1] = std::minmax(s.a, s.b, [](const Point& p, const Point& q) { return p < q; });
-        const auto [t0, t1] = std::minmax(t.a, t.b, [](const Point& p, const Point& q) { return p < q; });
-        const Point from = std::max(s0, t0);
-        if (from < std::min(s1, t1)) return from;
+        const Point from = std::max(std::min(s.a, s.b), std::min(t.a, t.b));
+        if (from < std::min(std::max(s.a, s.b), std::max(t.a, t.b))) return Doubt{from};
+    }
+    const int ta = side(s.a, s.b, t.a), tb = side(s.a, s.b, t.b);
+    if (sa * sb < 0 && ta * tb < 0) {
+        const double da = (s.b.x() - s.a.x()) * (t.a.y() - s.a.y()) - (s.b.y() - s.a.y()) * (t.a.x() - s.a.x());
+        const double db = (s.b.x() - s.a.x()) * (t.b.y() - s.a.y()) - (s.b.y() - s.a.y()) * (t.b.x() - s.a.x());
+        const double share = da / (da - db);
+        return Doubt{Point(t.a.x() + share * (t.b.x() - t.a.x()), t.a.y() + share * (t.b.y() - t.a.y()))};
+    }
+    if (s.outline == t.outline) {
+        if ((s.index + 1) % s.count == t.index || (t.index + 1) % t.count == s.index) return {}; // their corner
+        if (sa == 0 && within(t, s.a)) return Doubt{s.a, true};
+        if (sb == 0 && within(t, s.b)) return Doubt{s.b, true};
+        if (ta == 0 && within(s, t.a)) return Doubt{t.a, true};
+        if (tb == 0 && within(s, t.b)) return Doubt{t.b, true};
         return {};
     }
-    if (sa * sb != CGAL::NEGATIVE) return {};
-    const CGAL::Orientation ta = CGAL::orientation(s.a, s.b, t.a);
-    const CGAL::Orientation tb = CGAL::orientation(s.a, s.b, t.b);
-    if (ta * tb != CGAL::NEGATIVE) return {};
-    const double da = (s.b.x() - s.a.x()) * (t.a.y() - s.a.y()) - (s.b.y() - s.a.y()) * (t.a.x() - s.a.x());
-    const double db = (s.b.x() - s.a.x()) * (t.b.y() - s.a.y()) - (s.b.y() - s.a.y()) * (t.b.x() - s.a.x());
-    const double share = da / (da - db);
-    return Point(t.a.x() + share * (t.b.x() - t.a.x()), t.a.y() + share * (t.b.y() - t.a.y()));
+    // Through a corner: each corner is the first one of one segment.
+    if (s.a == t.a) {
+        const bool in = on_left(t.before, t.a, t.b, s.before), out = on_left(t.before, t.a, t.b, s.b);
+        return in != out ? std::optional(Doubt{s.a}) : std::nullopt;
+    }
+    const auto leads_through = [](const Segment& edge, const Segment& other) {
+        return side(edge.a, edge.b, other.a) == 0 && other.a != edge.a && other.a != edge.b && within(edge, other.a) &&
+               side(edge.a, edge.b, other.before) * side(edge.a, edge.b, other.b) < 0;
+    };
+    if (leads_through(t, s)) return Doubt{s.a};
+    if (leads_through(s, t)) return Doubt{t.a};
+    return {};
 }
 
 } // namespace
@@ -61,25 +95,31 @@ void check_outlines(const std::vector<Outline2D>& outlines, const std::vector<st
                 throw std::runtime_error(name(k) + " has a coordinate that is not a number");
         if (outline.size() < 3)
             throw std::runtime_error(fmt::format("{} has {} different corners; it needs 3", name(k), outline.size()));
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const PlanePoint& a = outline[i];
-            const PlanePoint& b = outline[(i + 1) % outline.size()];
-            segments.push_back({{a[0], a[1]}, {b[0], b[1]}, k});
-        }
+        const std::size_t n = outline.size();
+        const auto corner = [&](std::size_t i) { return Point(outline[i % n][0], outline[i % n][1]); };
+        for (std::size_t i = 0; i < n; ++i) segments.push_back({corner(i + n - 1), corner(i), corner(i + 1), k, i, n});
     }
-    std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) { return s.left() < t.left(); });
-    std::vector<std::size_t> active; // those that a line along y at the present x may meet
-    for (std::size_t next = 0; next < segments.size(); ++next) {
-        const Segment& segment = segments[next];
-        std::erase_if(active, [&](std::size_t other) { return segments[other].right() < segment.left(); });
-        for (const std::size_t other : active)
-            if (const std::optional<Point> place = doubtful(segments[other], segment)) {
-                const std::size_t k = segment.outline;
-                const std::size_t l = segments[other].outline;
-                throw std::runtime_error(fmt::format("{} crosses {} at ({:.6g} m, {:.6g} m)", name(std::min(k, l)),
-                                                     k == l ? "itself" : name(std::max(k, l)), place->x(), place->y()));
-            }
-        active.push_back(next);
+    std::vector<EdgeBox> boxes;
+    boxes.reserve(segments.size());
+    for (auto segment = segments.cbegin(); segment != segments.cend(); ++segment)
+        boxes.emplace_back(segment->a.bbox() + segment->b.bbox(), segment);
+
+    // The first in order of the segments: CGAL gives the pairs in any order.
+    std::optional<std::tuple<std::size_t, std::size_t, Doubt>> first;
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const EdgeBox& a, const EdgeBox& b) {
+        const auto index = [&](const EdgeBox& box) {
+            return static_cast<std::size_t>(box.handle() - segments.cbegin());
+        };
+        const std::size_t i = std::min(index(a), index(b)), j = std::max(index(a), index(b));
+        if (first && std::pair(i, j) >= std::pair(std::get<0>(*first), std::get<1>(*first))) return;
+        if (const std::optional<Doubt> doubt = doubtful(segments[i], segments[j])) first = {i, j, *doubt};
+    });
+    if (first) {
+        const auto& [i, j, doubt] = *first;
+        const std::size_t k = segments[i].outline, l = segments[j].outline;
+        throw std::runtime_error(fmt::format("{} {} {} at ({:.6g} m, {:.6g} m)", name(k),
+                                             doubt.touch ? "touches" : "crosses", k == l ? "itself" : name(l),
+                                             doubt.where.x(), doubt.where.y()));
     }
     for (std::size_t k = 0; k < outlines.size(); ++k)
         if (!(area_of(outlines[k]) > 0)) throw std::runtime_error(name(k) + " has no area");

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace abut {
@@ -19,10 +20,18 @@ namespace {
 /// Names of the shapes that are being made, one within the other.
 using Nesting = std::vector<std::string>;
 
+/// How often simple shapes may occur in a shape of shapes: names that double from shape to shape would grow without
+/// end.
+constexpr std::size_t most_parts = 10000;
+constexpr std::size_t deepest = 100;
+
 struct Making {
     const ShapeContext& context;
     std::vector<std::string>* repairs;
     Nesting nesting{};
+    std::map<std::string, Solid> made{};        ///< each named shape is made once
+    std::map<std::string, std::size_t> parts{}; ///< of simple shapes in it
+    std::size_t count = 0;                      ///< of simple shapes in what is being made
 };
 
 Solid make(const ShapeSpec& shape, Making& making);
@@ -37,6 +46,14 @@ const ShapeSpec& look_up(const std::string& name, const ShapeContext& context) {
 }
 
 Solid make_named(const std::string& name, Making& making) {
+    if (const auto known = making.made.find(name); known != making.made.end()) {
+        making.count += making.parts[name];
+        if (making.count > most_parts)
+            throw std::runtime_error(fmt::format("shape \"{}\" and others make more than {} shapes", name, most_parts));
+        return known->second;
+    }
+    if (making.nesting.size() >= deepest)
+        throw std::runtime_error(fmt::format("shapes are made from shapes more than {} deep", deepest));
     if (std::find(making.nesting.begin(), making.nesting.end(), name) != making.nesting.end())
         throw std::runtime_error(fmt::format("shape \"{}\" is made from itself", name));
     const ShapeSpec& shape = look_up(name, making.context);
@@ -44,8 +61,11 @@ Solid make_named(const std::string& name, Making& making) {
         throw std::runtime_error(fmt::format("shape \"{}\" is {}, the scene is not", name,
                                              making.context.dimension == 2 ? "one in space" : "plane"));
     making.nesting.push_back(name);
+    const std::size_t before = making.count;
     Solid solid = make(shape, making);
     making.nesting.pop_back();
+    making.parts[name] = making.count - before;
+    making.made[name] = solid;
     return solid;
 }
 
@@ -147,6 +167,7 @@ Solid make_surface(const Surface& surface, Making& making) {
 
 Solid make(const ShapeSpec& shape, Making& making) {
     const bool space = making.context.dimension == 3;
+    if (!std::holds_alternative<Combination>(shape) && !std::holds_alternative<NamedShape>(shape)) ++making.count;
     struct Visitor {
         Making& making;
         bool space;

@@ -12,42 +12,53 @@ namespace {
 /// An edge from left to right.
 struct Edge {
     double x0, y0, x1, y1;
+    double rightmost = 0; ///< right end of what lies below it in the tree
 };
 
-/// Edges sorted into strips along x, so that a line looks only at those that may meet it.
+/// Edges by their left ends, as a balanced tree: the root of a range is its middle (an interval tree). It takes as much
+/// memory as the edges however long they are, and a line O(log n) time for each edge that it meets.
 class EdgesAlongX {
 public:
-    EdgesAlongX(std::vector<Edge> edges, double lower, double upper)
-        : edges_(std::move(edges)), lower_(lower), strips_(std::clamp<std::size_t>(edges_.size() / 2, 1, 1u << 16)) {
-        width_ = (upper - lower) / static_cast<double>(strips_.size());
-        for (std::uint32_t e = 0; e < edges_.size(); ++e)
-            for (std::size_t s = strip(edges_[e].x0); s <= strip(edges_[e].x1); ++s) strips_[s].push_back(e);
+    explicit EdgesAlongX(std::vector<Edge> edges) : edges_(std::move(edges)) {
+        std::stable_sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.x0 < b.x0; });
+        if (!edges_.empty()) set_rightmost(0, edges_.size());
     }
 
     /// Heights at which the line at x crosses edges, ascending. An edge owns its left end and not its right one, so
     /// that a corner counts once where the outline passes on, and twice or never where it turns back.
     std::vector<double> crossings(double x) const {
         std::vector<double> heights;
-        for (const std::uint32_t e : strips_[strip(x)]) {
-            const Edge& edge = edges_[e];
-            if (!(edge.x0 <= x && x < edge.x1)) continue;
-            const double share = (x - edge.x0) / (edge.x1 - edge.x0);
-            heights.push_back(share < 0.5 ? edge.y0 + share * (edge.y1 - edge.y0)
-                                          : edge.y1 - (1 - share) * (edge.y1 - edge.y0));
-        }
+        collect(0, edges_.size(), x, heights);
         std::sort(heights.begin(), heights.end());
         return heights;
     }
 
 private:
-    std::size_t strip(double x) const {
-        const double s = width_ > 0 ? (x - lower_) / width_ : 0;
-        return static_cast<std::size_t>(std::clamp(s, 0.0, static_cast<double>(strips_.size() - 1)));
+    std::vector<Edge> edges_;
+
+    double set_rightmost(std::size_t first, std::size_t last) {
+        const std::size_t root = first + (last - first) / 2;
+        double rightmost = edges_[root].x1;
+        if (first < root) rightmost = std::max(rightmost, set_rightmost(first, root));
+        if (root + 1 < last) rightmost = std::max(rightmost, set_rightmost(root + 1, last));
+        return edges_[root].rightmost = rightmost;
     }
 
-    std::vector<Edge> edges_;
-    double lower_ = 0, width_ = 0;
-    std::vector<std::vector<std::uint32_t>> strips_;
+    void collect(std::size_t first, std::size_t last, double x, std::vector<double>& heights) const {
+        while (first < last) {
+            const std::size_t root = first + (last - first) / 2;
+            const Edge& edge = edges_[root];
+            if (edge.rightmost <= x) return;
+            collect(first, root, x, heights);
+            if (edge.x0 > x) return;
+            if (x < edge.x1) {
+                const double share = (x - edge.x0) / (edge.x1 - edge.x0);
+                heights.push_back(share < 0.5 ? edge.y0 + share * (edge.y1 - edge.y0)
+                                              : edge.y1 - (1 - share) * (edge.y1 - edge.y0));
+            }
+            first = root + 1;
+        }
+    }
 };
 
 } // namespace
@@ -93,7 +104,7 @@ Solid solid_of_outlines(const std::vector<Outline2D>& outlines) {
     solid.breaks[0].erase(std::unique(solid.breaks[0].begin(), solid.breaks[0].end()), solid.breaks[0].end());
     constexpr std::size_t many = 500; // then the pieces between them are short anyway
     if (solid.breaks[0].size() > many) solid.breaks[0] = {solid.lower[0], solid.upper[0]};
-    const auto sorted = std::make_shared<const EdgesAlongX>(std::move(edges), solid.lower[0], solid.upper[0]);
+    const auto sorted = std::make_shared<const EdgesAlongX>(std::move(edges));
     solid.spans = [sorted](double x, double) {
         const std::vector<double> heights = sorted->crossings(x);
         Spans spans;

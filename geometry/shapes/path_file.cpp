@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -47,25 +49,34 @@ std::vector<double> numbers_in(const std::string& line, bool& good) {
     }
 }
 
+/// Whether a line may hold names of columns: a number with a slip of the pen is none.
+bool is_header(const std::string& line) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    return first != std::string::npos && (std::isalpha(static_cast<unsigned char>(line[first])) || line[first] == '"');
+}
+
 std::vector<Outline2D> read_csv(const std::string& text) {
     std::vector<Outline2D> outlines(1);
-    std::istringstream lines(text);
+    std::istringstream lines(text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text); // byte order mark
     std::string line;
     bool any = false;
     for (int number = 1; std::getline(lines, line); ++number) {
-        if (!line.empty() && line[0] == '#') continue;
+        if (const std::size_t comment = line.find('#'); comment != std::string::npos) {
+            line.erase(comment);
+            if (line.find_first_not_of(" \t\r") == std::string::npos) continue; // a comment ends no outline
+        }
         bool good = false;
         const std::vector<double> numbers = numbers_in(line, good);
         if (good && numbers.empty()) { // a blank line
             if (!outlines.back().empty()) outlines.emplace_back();
             continue;
         }
-        if (!good && !any) { // names of columns
+        if (!good && !any && numbers.empty() && is_header(line)) {
             any = true;
             continue;
         }
         any = true;
-        if (!good || numbers.size() != 2)
+        if (!good || numbers.size() != 2 || !std::isfinite(numbers[0]) || !std::isfinite(numbers[1]))
             throw std::runtime_error(
                 fmt::format("line {}: two numbers are needed, not \"{}\"", number, line.substr(0, 40)));
         outlines.back().push_back({numbers[0], numbers[1]});

@@ -12,7 +12,8 @@ namespace {
 
 /// The ellipse |A r| ≤ 1 about its centre, by M = (AᵀA)⁻¹ = R diag(a², b²) Rᵀ: its half extents are √M_xx and √M_yy,
 /// and at x from the centre the line has y = M_xy/M_xx x ± √(det M/M_xx (1 − x²/M_xx)).
-Solid solid_of_ellipse(const Vector& center, double xx, double xy, double yy) {
+/// \param ab product of its semi-axes, √det M: the difference of the products would lose the digits of thin ellipses
+Solid solid_of_ellipse(const Vector& center, double xx, double xy, double yy, double ab) {
     Solid solid;
     const double reach = std::sqrt(xx);
     const double height = std::sqrt(yy);
@@ -20,7 +21,7 @@ Solid solid_of_ellipse(const Vector& center, double xx, double xy, double yy) {
     solid.upper = {center[0] + reach, center[1] + height, 0};
     solid.breaks[0] = {solid.lower[0], solid.upper[0]};
     const double slope = xy / xx;
-    const double half = std::sqrt(std::max(0.0, yy - xy * xy / xx));
+    const double half = ab / reach;
     solid.spans = [=](double x, double) -> Spans {
         const double u = (x - center[0]) / reach;
         if (!(std::abs(u) < 1)) return {};
@@ -58,7 +59,7 @@ Solid plane_solid(const Box& box) {
 
 Solid plane_solid(const Disk& disk) {
     const double square = disk.radius * disk.radius;
-    return solid_of_ellipse(disk.center, square, 0, square);
+    return solid_of_ellipse(disk.center, square, 0, square, square);
 }
 
 Solid plane_solid(const Ellipse& ellipse) {
@@ -66,7 +67,8 @@ Solid plane_solid(const Ellipse& ellipse) {
     const double s = std::sin(ellipse.angle);
     const double aa = ellipse.semi_axes[0] * ellipse.semi_axes[0];
     const double bb = ellipse.semi_axes[1] * ellipse.semi_axes[1];
-    return solid_of_ellipse(ellipse.center, aa * c * c + bb * s * s, (aa - bb) * c * s, aa * s * s + bb * c * c);
+    return solid_of_ellipse(ellipse.center, aa * c * c + bb * s * s, (aa - bb) * c * s, aa * s * s + bb * c * c,
+                            ellipse.semi_axes[0] * ellipse.semi_axes[1]);
 }
 
 Solid plane_solid(const Ring& ring) {

@@ -54,7 +54,13 @@ Solid frustum(const Vector& from, const Vector& to, double radius, double top_ra
         solid.lower[a] = std::min(from[a] - radius * reach, to[a] - top_radius * reach);
         solid.upper[a] = std::max(from[a] + radius * reach, to[a] + top_radius * reach);
     }
-    add_breaks(solid);
+    for (std::size_t a = 0; a < 2; ++a) { // both rims
+        const double reach = std::sqrt(std::max(0.0, 1 - axis[a] * axis[a]));
+        solid.breaks[a] = {from[a] - radius * reach, from[a] + radius * reach, to[a] - top_radius * reach,
+                           to[a] + top_radius * reach};
+        std::sort(solid.breaks[a].begin(), solid.breaks[a].end());
+        solid.breaks[a].erase(std::unique(solid.breaks[a].begin(), solid.breaks[a].end()), solid.breaks[a].end());
+    }
     const double slope = (top_radius - radius) / length;
     solid.spans = [=](double x, double y) -> Spans {
         // A point of the line is from + d + t z; it is h = d·n + t n_z along the axis.

@@ -23,7 +23,7 @@ double distance(const PlanePoint& a, const PlanePoint& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-constexpr double tolerance = 1e-5; ///< of chords, relative to the size of the curve
+constexpr std::size_t most_points = 10'000'000;
 
 /// Reads the data letter by letter.
 class Reader {
@@ -74,7 +74,9 @@ private:
 
 class Pen {
 public:
+    explicit Pen(double chord_tolerance) : tolerance_(chord_tolerance) {}
     std::vector<Outline2D> outlines;
+    bool open = false; ///< a subpath was neither closed nor ended where it began
 
     void move(const PlanePoint& to) {
         finish();
@@ -83,15 +85,22 @@ public:
     }
     void line(const PlanePoint& to) {
         if (current_.empty()) current_.push_back(here);
+        // Short commands make many points: a file of 64 MiB could ask for more than memory holds.
+        if (++points_ > most_points) throw std::runtime_error("path data of more than ten million points");
         current_.push_back(to);
         here = to;
     }
     void close() {
-        finish();
+        finish(true);
         here = start;
     }
-    void finish() {
-        if (current_.size() > 1) outlines.push_back(current_);
+    void finish(bool closed = false) {
+        if (current_.size() > 1) {
+            Outline2D outline = without_slivers(current_);
+            const bool back = distance(current_.front(), current_.back()) <= same_ * distance_across_;
+            open = open || !(closed || back);
+            outlines.push_back(std::move(outline));
+        }
         current_.clear();
     }
     void cubic(const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
@@ -102,7 +111,8 @@ public:
         const double second = 6 * std::max(std::hypot(a[0] - 2 * b[0] + c[0], a[1] - 2 * b[1] + c[1]),
                                            std::hypot(b[0] - 2 * c[0] + d[0], b[1] - 2 * c[1] + d[1]));
         const int pieces =
-            size > 0 ? std::clamp(static_cast<int>(std::ceil(std::sqrt(second / (8 * tolerance * size)))), 1, 1000) : 1;
+            size > 0 ? static_cast<int>(std::clamp(std::ceil(std::sqrt(second / (8 * tolerance_ * size))), 1.0, 1e5))
+                     : 1;
         for (int k = 1; k <= pieces; ++k) {
             const double t = static_cast<double>(k) / pieces;
             const PlanePoint ab = mixed(a, b, t), bc = mixed(b, c, t), cd = mixed(c, d, t);
@@ -136,7 +146,7 @@ public:
         if (sweep && way < 0) way += 2 * std::numbers::pi;
         if (!sweep && way > 0) way -= 2 * std::numbers::pi;
         // A chord over the angle w is off by r w²/8.
-        const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(way) / std::sqrt(8 * tolerance))));
+        const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(way) / std::sqrt(8 * tolerance_))));
         for (int k = 1; k <= pieces; ++k) {
             const double angle = from + way * k / pieces;
             const double u = rx * std::cos(angle), v = ry * std::sin(angle);
@@ -147,14 +157,30 @@ public:
     PlanePoint here{}, start{};
 
 private:
+    static constexpr double same_ = 1e-9;
+    double tolerance_;
+    double distance_across_ = 0; ///< of the last subpath
+    std::size_t points_ = 0;
     Outline2D current_;
+
+    Outline2D without_slivers(const Outline2D& points) {
+        distance_across_ = 0;
+        for (const PlanePoint& point : points)
+            distance_across_ = std::max(distance_across_, distance(point, points.front()));
+        Outline2D result;
+        for (const PlanePoint& point : points)
+            if (result.empty() || distance(point, result.back()) > same_ * distance_across_) result.push_back(point);
+        while (result.size() > 1 && distance(result.back(), result.front()) <= same_ * distance_across_)
+            result.pop_back();
+        return result;
+    }
 };
 
 } // namespace
 
-std::vector<Outline2D> svg_path_outlines(const std::string& data) {
+std::vector<Outline2D> svg_path_outlines(const std::string& data, double tolerance, bool* open) {
     Reader reader(data);
-    Pen pen;
+    Pen pen(tolerance);
     PlanePoint control{}; // of the curve before
     char command = 0, before = 0;
     while (!reader.at_end()) {
@@ -213,6 +239,7 @@ std::vector<Outline2D> svg_path_outlines(const std::string& data) {
         before = kind;
     }
     pen.finish();
+    if (open) *open = pen.open;
     return pen.outlines;
 }
 

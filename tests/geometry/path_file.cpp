@@ -139,3 +139,67 @@ TEST(PathFile, PlacedAndFilledByTheEvenOddRule) {
                 }),
                 HasSubstr("path \"frame.svg\": outline 1 crosses outline 2 at ("));
 }
+
+TEST(PathFile, CsvKeepsItsFirstPoint) {
+    const std::string square = "0,0 # a corner\n4,0\n# between\n4,4\n0,4\n";
+    EXPECT_EQ(read(square)[0].size(), 4u);
+    EXPECT_EQ(read("\xef\xbb\xbf" + square)[0].size(), 4u) << "a byte order mark is no header";
+    EXPECT_THAT(error("0,O\n4,0\n4,4\n0,4\n"), HasSubstr("line 1: two numbers are needed, not \"0,O\""));
+    EXPECT_THAT(error("0 0\n1 nan\n1 1\n"), HasSubstr("line 2"));
+}
+
+TEST(PathFile, SvgCountsWhatIsDisplayed) {
+    const std::string shown = "<rect x='20' width='5' height='5'/>", hidden = "<rect width='3' height='3'";
+    EXPECT_EQ(area("<g display='none'>" + hidden + "/></g>" + shown), 25);
+    EXPECT_EQ(area(hidden + " style='fill:red; display : none'/>" + shown), 25);
+    EXPECT_EQ(area("<g visibility='hidden'>" + hidden + "/><g visibility='visible'>" + shown + "</g></g>"), 25);
+    EXPECT_THAT(error(svg(hidden + " clip-path='url(#c)'/>")), HasSubstr("has a <rect> with a clip-path"));
+    EXPECT_THAT(error(svg(hidden + " style='mask:url(#c)'/>")), HasSubstr("has a <rect> with a mask"));
+    EXPECT_THAT(error(svg("<svg x='50'>" + shown + "</svg>")), HasSubstr("has a <svg> inside"));
+    // A viewer closes what it fills, and shows no more than a line of what it does not.
+    EXPECT_EQ(area("<path d='M0 0 L10 0 L10 10'/>"), 50);
+    EXPECT_EQ(area("<path fill='none' d='M0 0 L10 0 L10 10 z'/>"), 50);
+    EXPECT_EQ(area("<path fill='none' d='M0 0 L10 0 L10 10 L0 0'/>"), 50);
+    EXPECT_THAT(error(svg("<g fill='none'><path d='M0 0 L10 0 L10 10'/></g>")), HasSubstr("<path> is open"));
+}
+
+TEST(PathFile, SvgNumbersAreNotGuessed) {
+    EXPECT_THAT(error(svg("<polygon points='0,0 1O,0 10,10'/>")), HasSubstr("\"O,0 10,10\" is no number"));
+    EXPECT_THAT(error(svg("<polygon points='0,0 1e400,0 10,10 10,3'/>")), HasSubstr("is no number"));
+    EXPECT_EQ(area("<polygon points='0-0+10,0 10-1e1'/>"), 50) << "signs separate numbers";
+    EXPECT_THAT(error(svg("<rect width='-5' height='5'/>")), HasSubstr("<rect> has a negative width"));
+    EXPECT_THAT(error(svg("<circle r='-5'/>")), HasSubstr("<circle> has a negative r"));
+    EXPECT_THAT(error(svg("<rect width='5' height='5' transform='scaleX(2)'/>")), HasSubstr("scaleX(2)"));
+    const std::string square = "<rect width='5' height='5'/>";
+    EXPECT_NEAR(read(svg(square, "height='254mm'"))[0][0][1], 960, 1e-9); // 96 pixels an inch
+    EXPECT_EQ(read(svg(square, "height='100%'"))[0][0][1], 0) << "a share of an unknown window is no height";
+}
+
+TEST(PathFile, SvgCurvesKeepTheirToleranceWhenStretched) {
+    // y = 200 s (1 - s) at x = 100 s, of height 50 after the transform.
+    const Outline2D arch = read(svg("<path transform='scale(1,1000)' d='M0 0 Q50 0.1 100 0z'/>"))[0];
+    double worst = 0;
+    for (std::size_t k = 0; k + 1 < arch.size(); ++k) {
+        const double s = (arch[k][0] + arch[k + 1][0]) / 200;
+        worst = std::max(worst, std::abs(50 - 200 * s * (1 - s) - (arch[k][1] + arch[k + 1][1]) / 2));
+    }
+    EXPECT_LT(worst, 1e-5 * 125);
+    EXPECT_GT(worst, 0);
+}
+
+TEST(PathFile, SvgRelativePathsCloseInSpiteOfRoundOff) {
+    // 0.1 + 0.1 + 0.7 - 0.1 - 0.7 is not 0.1.
+    const auto outlines = read(svg("<path d='M0.1 0.1l0.1 0.7l0.7 0.1l-0.1-0.7l-0.7-0.1z'/>"));
+    EXPECT_EQ(outlines[0].size(), 4u);
+    EXPECT_NO_THROW(check_outlines(outlines));
+}
+
+TEST(PathFile, HostileSvg) {
+    std::string nested;
+    for (int k = 0; k < 300000; ++k) nested += "<g>"; // a tree of these could not be destroyed
+    for (int k = 0; k < 300000; ++k) nested += "</g>";
+    EXPECT_THAT(error(svg(nested)), HasSubstr("more than 100 groups"));
+    std::string arcs = "M0 0";
+    for (int k = 0; k < 600000; ++k) arcs += "a9 9 0 111 1"; // 600 points each
+    EXPECT_THAT(error(svg("<path d='" + arcs + "'/>")), HasSubstr("more than ten million points"));
+}

@@ -280,3 +280,32 @@ TEST(SolidShapes, WhatCannotBe) {
     EXPECT_THAT(error(Polygon{square, {{{0, 0}, {0, 2}, {2, 1}}}}), HasSubstr("crosses hole 0"))
         << "but not along an edge";
 }
+
+TEST(SolidShapes, ThinTurnedEllipses) {
+    for (const double b : {1e-2, 1e-6, 1e-8}) {
+        const Spans middle = solid(Ellipse{{0, 0, 0}, {1, b}, 0.7}, 2).spans(0, 0);
+        ASSERT_EQ(middle.size(), 1u);
+        EXPECT_NEAR((middle[0].to - middle[0].from) / (2 * b / std::hypot(std::cos(0.7), b * std::sin(0.7))), 1, 1e-12);
+    }
+}
+
+TEST(SolidShapes, BothRimsOfAConeAreBreaks) {
+    EXPECT_THAT(solid(Cone{{0, 0, 0}, {0, 0, 1}, 1, 0.25}, 3).breaks[0], ElementsAre(-1, -0.25, 0.25, 1));
+    EXPECT_THAT(solid(Cone{{0, 0, 0}, {2, 0, 0}, 1, 0.25}, 3).breaks[1], ElementsAre(-1, -0.25, 0.25, 1));
+}
+
+TEST(SolidShapes, NamesThatMultiply) {
+    std::vector<NamedShapeSpec> shapes{{"s0", Disk{{0, 0, 0}, 1}}};
+    const auto name = [](int k) { return "s" + std::to_string(k); };
+    for (int k = 1; k <= 60; ++k) // 2^60 disks
+        shapes.push_back({name(k), Combination{Operation::union_, {name(k - 1), name(k - 1)}}});
+    const auto make = [&](int k) { return make_solid(NamedShape{name(k)}, {shapes, 2, {}, 0.01}); };
+    EXPECT_THAT(make(10).spans(0, 0), ElementsAre(Span{-1, 1}));
+    EXPECT_THAT(message_of([&] { make(60); }), HasSubstr("more than 10000 shapes"));
+    std::vector<NamedShapeSpec> chain{{"s0", Disk{{0, 0, 0}, 1}}};
+    for (int k = 1; k <= 1000; ++k) chain.push_back({name(k), NamedShape{name(k - 1)}});
+    EXPECT_THAT(message_of([&] {
+                    make_solid(NamedShape{name(1000)}, {chain, 2, {}, 0.01});
+                }),
+                HasSubstr("more than 100 deep"));
+}
