@@ -71,20 +71,34 @@ public:
     const std::vector<std::int32_t>& met() const { return met_; }
     const Moments& of(std::int32_t label) const { return moments_[static_cast<std::size_t>(label)]; }
 
-    /// The label of the largest share, 0 for void.
-    std::int32_t majority() const {
-        double covered = 0;
+    /// The label of the largest share, 0 for void. Of equal shares the lower one in the place wins (of equally high
+    /// ones the left one): what bodies win at their upper and right sides they lose at the others, so that areas are
+    /// not biased where pixels fit places by halves. Where that is equal too, the lower label, and void last.
+    std::int32_t majority(std::size_t dimension) const {
+        Moments rest; // void, and what lies beyond the image
+        rest.content = 1;
+        for (std::size_t a = 0; a < dimension; ++a) rest.first[a] = 0.5;
         double largest = 0;
         for (const std::int32_t label : met_) {
-            covered += of(label).content;
-            if (label > 0) largest = std::max(largest, of(label).content);
+            if (label == 0) continue;
+            largest = std::max(largest, of(label).content);
+            rest.content -= of(label).content;
+            for (std::size_t a = 0; a < dimension; ++a) rest.first[a] -= of(label).first[a];
         }
-        const double void_share = of(0).content + std::max(0.0, 1 - covered); // and beyond the image
         constexpr double tie = 1e-9; // larger than round-off, smaller than any intended difference
-        if (largest < void_share - tie) return 0;
+        if (largest < rest.content - tie) return 0;
+        const Moments* best = nullptr;
         std::int32_t winner = 0;
+        const auto try_label = [&](std::int32_t label, const Moments& moments) {
+            if (moments.content < largest - tie) return;
+            const int order = best ? lower_or_left(moments, *best, dimension) : 1;
+            if (order < 0 || (order == 0 && (label == 0 || (winner > 0 && label > winner)))) return;
+            best = &moments;
+            winner = label;
+        };
         for (const std::int32_t label : met_)
-            if (label > 0 && of(label).content >= largest - tie && (winner == 0 || label < winner)) winner = label;
+            if (label > 0) try_label(label, of(label));
+        try_label(0, rest);
         return winner;
     }
 
@@ -94,6 +108,15 @@ public:
     }
 
 private:
+    /// 1 if the centre of a lies below (behind, to the left of) that of b, -1 if above, 0 if they coincide.
+    static int lower_or_left(const Moments& a, const Moments& b, std::size_t dimension) {
+        for (std::size_t axis = dimension; axis-- > 0;) {
+            const double way = b.first[axis] / b.content - a.first[axis] / a.content;
+            if (std::abs(way) > 1e-9) return way > 0 ? 1 : -1;
+        }
+        return 0;
+    }
+
     std::vector<Moments> moments_;
     std::vector<std::int32_t> met_;
 };
@@ -138,7 +161,7 @@ std::vector<std::vector<Covered>> cover_image(const LabelVolume& image, std::siz
                                moments.add(label, lower, upper, lattice.dimension);
                            });
                 if (fill == Fill::majority) {
-                    if (const std::int32_t winner = moments.majority(); winner > 0)
+                    if (const std::int32_t winner = moments.majority(lattice.dimension); winner > 0)
                         result[static_cast<std::size_t>(winner - 1)].push_back(whole(lattice, place));
                 } else {
                     for (const std::int32_t label : moments.met()) {

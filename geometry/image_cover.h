@@ -16,11 +16,12 @@ struct ImageFrame {
     std::array<double, 3> pixel{}; ///< edges of a pixel [m]
 };
 
-/// The places of a lattice that the bodies of an image take, per body (label - 1), x fastest; only places 0 .. places -
+/// The places of a lattice that the bodies of an image take, per body (label - 1), x fastest; only places 0 to places -
 /// 1 along each axis. Fill::majority: a place belongs, whole, to the body or void which covers **the largest area**
-/// (volume) of it; of equal shares (to 1e-9 of the place) a body wins over void, and the body of the lower label over
-/// the higher. Fill::covered_fraction: each body that covers any of it gets its part. Shares are exact for any sizes of
-/// pixels and places; what lies beyond the image is void. Work: proportional to pixels + places.
+/// (volume) of it; of equal shares (to 1e-9 of the place) the one has it that lies lower in the place, or else farther
+/// left, which biases no area; if they lie alike, the body of the lowest label. Fill::covered_fraction: each body that
+/// covers any of it gets its part. Shares are exact for any sizes of pixels and places; what lies beyond the image is
+/// void. Work: proportional to pixels + places.
 std::vector<std::vector<Covered>> cover_image(const LabelVolume& image, std::size_t bodies, const ImageFrame& frame,
                                               const Lattice& lattice, const Place& places, Fill fill);
 

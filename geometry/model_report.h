@@ -27,8 +27,9 @@ struct ModelReport {
 
 /// The width of the thinnest part of a body in cells along the grid's shortest axis: twice the smallest distance to the
 /// outside at those places where it does not grow towards any side — the middle of the body, of a neck, of a bar (the
-/// critical points of the distance function). Corners, which are thin too, don't count. Measured on the particles'
-/// places of all its parts that share one lattice, to about half a place.
+/// critical points of the distance function). Corners, which are thin too, don't count; where a body tapers slowly,
+/// some of the taper does. Measured on the particles' places of all its parts that share one lattice, to about half a
+/// place.
 double thinnest_width(const std::vector<const Part*>& parts, double cell);
 
 /// Table of all bodies for a terminal. \param dimension says whether sizes are areas or volumes

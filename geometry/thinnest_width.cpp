@@ -114,9 +114,12 @@ double thinnest_of(const std::vector<const Part*>& parts) {
                                                               {true, true, parts.front()->lattice.dimension == 3});
     for (float& d : distance) d = std::sqrt(d);
     const bool space = parts.front()->lattice.dimension == 3;
-    // Three places: steps of the outline are seen no more, but bars of that length are.
-    const std::vector<std::array<int, 3>> offsets = compass(3.0 * raster.per_place, space);
-    constexpr double slope_at_corners = 0.4; // it is sin 45° towards the inside of a right angle, 0 along a bar
+    // From the next point, so that the middle of narrow bodies is found, to three places, where steps of the outline
+    // are seen no more, but bars of that length still are.
+    std::vector<std::array<int, 3>> offsets;
+    for (const double reach : {1.0, 2.0, 4.0, 3.0 * raster.per_place})
+        for (const std::array<int, 3>& offset : compass(reach, space)) offsets.push_back(offset);
+    constexpr double slope_at_corners = 0.2; // it is sin 45° towards the inside of a right angle, 0 along a bar
     double thinnest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < raster.size[2]; ++k)
         for (int j = 0; j < raster.size[1]; ++j)

@@ -79,8 +79,8 @@ slice lowest, or one `slice` of a plane scene; a single image in `3d` is a stack
 then placed with its first row up (unless `up` says otherwise), mirrored (`flip`) and turned (`quarter_turns`); what is left
 begins at `lower`. `pixel` and `size` count along the axes of the scene. Lossy JPEG blurs colours: use it with
 `tolerance` or `grey_range`. A colour that no entry covers is an error that names it; an image without empty space needs no
-`void` entry. An exact colour wins over a tolerance, a tolerance over a range. Places of the lattice that an image covers in part only are
-void there; of equal shares a body wins over void, and the body that comes first over others. Entries of
+`void` entry. An exact colour wins over a tolerance, a tolerance over a range. Where a place reaches beyond the image, that part
+is void; of equal shares the one that lies lower in the place has it, or else farther left, which biases no area. Entries of
 the same `body` make up one body, unless `bodies` is `by-colour` or `by-component`: then each colour, or each connected
 piece, is one, and the entry's name stands for all of them in `contact/laws`. Noise first: `speckle` removes
 pieces of fewer pixels, `split` (1 suits grains) then divides what grew together.

@@ -55,37 +55,48 @@ const Lattice unit_lattice{2, {0, 0, 0}, {1, 1, 0}};
 
 } // namespace
 
-TEST(ImageCover, TiesGoToMaterialThenToTheLowerLabel) {
+TEST(ImageCover, OfEqualSharesTheLowerOrLeftWins) {
     const auto winner = [&](const std::vector<std::vector<int>>& rows) {
         const Places places =
             places_of(cover_image(image_of(rows), 2, {{}, {0.5, 0.5, 0}}, unit_lattice, {1, 1, 1}, Fill::majority));
         return places.empty() ? 0 : places.begin()->second;
     };
-    EXPECT_EQ(winner({{0, 0}, {2, 2}}), 2) << "material before void";
-    EXPECT_EQ(winner({{2, 2}, {1, 1}}), 1) << "the earlier body";
-    EXPECT_EQ(winner({{2, 1}, {1, 2}}), 1);
+    EXPECT_EQ(winner({{0, 0}, {2, 2}}), 2) << "a body's upper side";
+    EXPECT_EQ(winner({{2, 2}, {0, 0}}), 0) << "its lower side";
+    EXPECT_EQ(winner({{2, 0}, {2, 0}}), 2);
+    EXPECT_EQ(winner({{0, 2}, {0, 2}}), 0);
+    EXPECT_EQ(winner({{2, 2}, {1, 1}}), 1);
+    EXPECT_EQ(winner({{1, 1}, {2, 2}}), 2);
+    EXPECT_EQ(winner({{2, 1}, {1, 2}}), 1) << "alike: the lower label";
+    EXPECT_EQ(winner({{2, 0}, {0, 2}}), 2) << "alike: a body before void";
     EXPECT_EQ(winner({{0, 0}, {1, 2}}), 0) << "void covers most";
     EXPECT_EQ(winner({{2, 2}, {1, 0}}), 2);
 }
 
 TEST(ImageCover, TiesDontDependOnRoundOff) {
     // Places of 6 × 6 pixels, half of them of one body, half of the other, shuffled: every place is a tie, and the two
-    // sums are rounded differently.
+    // sums are rounded differently. Which one lies lower whole numbers tell.
     const Lattice lattice{2, {0.7, -0.3, 0}, {0.6, 0.6, 0}};
     Random random(11);
     std::vector<std::vector<int>> rows(120, std::vector<int>(120));
+    std::map<Place, int> expected;
     for (std::size_t place = 0; place < 400; ++place) {
         int left[2] = {18, 18};
+        int height = 0, right = 0; // sums of the first body's minus the second's
         for (std::size_t k = 0; k < 36; ++k) {
             const int body = random.below(left[0] + left[1]) < left[0] ? 0 : 1;
             --left[body];
+            const int row = static_cast<int>(k) / 6, column = static_cast<int>(k) % 6;
             rows[place / 20 * 6 + k / 6][place % 20 * 6 + k % 6] = body + 1;
+            height += (body == 0 ? 1 : -1) * (5 - row);
+            right += (body == 0 ? 1 : -1) * column;
         }
+        const int winner = height != 0 ? (height < 0 ? 1 : 2) : (right <= 0 ? 1 : 2);
+        expected[{static_cast<int>(place % 20), 19 - static_cast<int>(place / 20), 0}] = winner;
     }
-    const auto covered =
-        cover_image(image_of(rows), 2, {lattice.lower, {0.1, 0.1, 0}}, lattice, {20, 20, 1}, Fill::majority);
-    EXPECT_EQ(covered[0].size(), 400u);
-    EXPECT_EQ(covered[1].size(), 0u);
+    EXPECT_EQ(
+        places_of(cover_image(image_of(rows), 2, {lattice.lower, {0.1, 0.1, 0}}, lattice, {20, 20, 1}, Fill::majority)),
+        expected);
 }
 
 TEST(ImageCover, BeyondTheImageIsVoid) {

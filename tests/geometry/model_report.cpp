@@ -44,7 +44,10 @@ TEST(ThinnestWidth, OfBodiesWithoutThinParts) {
     EXPECT_NEAR(thinnest(Box{{1, 1, 0}, {9, 4.5, 0}}), 3.5, 1e-6);
     EXPECT_NEAR(thinnest(Box{{5, 5, 0}, {15, 10, 0}, 0.5}), 5, 1e-6) << "turned: in its own frame";
     EXPECT_NEAR(thinnest(Disk{{20, 20, 0}, 8}), 16, 1);
-    EXPECT_NEAR(thinnest(Ellipse{{20, 20, 0}, {12, 5}, 0.6}), 10, 1);
+    const double ellipse =
+        thinnest(Ellipse{{20, 20, 0}, {12, 5}, 0.6}); // tapers: somewhat less than its smaller diameter
+    EXPECT_GT(ellipse, 6);
+    EXPECT_LT(ellipse, 10.5);
     EXPECT_NEAR(thinnest(Polygon{{{20, 8}, {32, 20}, {20, 32}, {8, 20}}, {}}), 12 * std::sqrt(2), 1)
         << "corners don't count";
     EXPECT_NEAR(thinnest(Box{{1, 1, 1}, {9, 4, 7}}, 3, 10), 3, 1e-6);
@@ -95,7 +98,7 @@ TEST(ModelReport, AreasOfShapesAndImages) {
     EXPECT_THAT(table, HasSubstr("area"));
     EXPECT_THAT(table, HasSubstr("disk"));
     EXPECT_THAT(table, HasSubstr("all 2"));
-    EXPECT_THAT(warnings_of(report), ElementsAre(HasSubstr("body \"corner\" is only 1.5 cells wide")));
+    EXPECT_THAT(warnings_of(report), ElementsAre(HasSubstr("body \"corner\" is only 1 cells wide")));
 }
 
 /// The issue: areas agree within 0.5 % at these ratios of pixel to particle.
@@ -115,7 +118,8 @@ TEST(ModelReport, EllipsesAtDifferentRatiosOfPixelsToParticles) {
             }
             std::printf("%s %-17s %8.4f %8.4f\n", ratio, fill == Fill::majority ? "majority" : "covered-fraction",
                         100 * worst, 100 * (content / exact - 1));
-            EXPECT_LT(std::abs(content / exact - 1), fill == Fill::majority && cells == 70 ? 0.02 : 0.005);
+            EXPECT_LT(std::abs(content / exact - 1), 0.005);
+            EXPECT_LT(worst, 0.01) << ratio; // of a body of some 300 particles, two of them
             if (fill == Fill::covered_fraction) {
                 EXPECT_LT(worst, 1e-3);
             }
