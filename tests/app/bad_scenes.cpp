@@ -183,7 +183,7 @@ TEST(BadImage, ColourThatTheLegendLacks) {
     folder.write("picture.png", grey_png(8, {0, 0, 255, 7}));
     expect_refused(
         folder, image_scene(),
-        {"/images/0/legend: no entry covers grey 7 (4 pixels); add entries, or a tolerance to the ones there"});
+        {"/images/0/legend: no entry covers grey 7 (4 pixels); add entries, a tolerance to the ones there, or a \"grey_range\""});
 }
 
 TEST(BadImage, LegendWithoutVoid) {
@@ -191,7 +191,7 @@ TEST(BadImage, LegendWithoutVoid) {
     folder.write("picture.png", grey_png(8, black_and_white));
     expect_refused(
         folder, image_scene(""),
-        {"/images/0/legend: no entry covers grey 255 (8 pixels); add entries, or a tolerance to the ones there"});
+        {"/images/0/legend: no entry covers grey 255 (8 pixels); add entries, a tolerance to the ones there, or a \"grey_range\""});
     // A picture that bodies cover completely needs none.
     folder.write("picture.png", grey_png(8, {0, 0, 0, 0}));
     EXPECT_EQ(folder.abut({"check", "bad.json"}).exit_code, 0);

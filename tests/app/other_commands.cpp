@@ -71,8 +71,22 @@ TEST(Particles, WritesTheModel) {
     const PointFrame frame = read_points(folder / "scene-particles.vtu");
     EXPECT_GT(frame.points.size() / 3, 16U * 8U);
     EXPECT_EQ(frame.time, 0);
-    EXPECT_EQ(folder.content().size(), 2U);
+    const Image preview = read_image(folder / "scene-particles.png");
+    EXPECT_EQ(preview.width, 1000);
+    EXPECT_EQ(folder.content().size(), 3U);
     EXPECT_EQ(folder.abut({"particles", "scene.json", "-o", "nowhere/x.vtu"}).exit_code, 1);
+    EXPECT_EQ(folder.abut({"particles", "scene.json", "-o", "y.vtu", "--array", "presure"}).exit_code, 2);
+    EXPECT_EQ(folder.abut({"particles", "scene.json", "-o", "z.vtu", "--no-png"}).exit_code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "z.png"));
+}
+
+TEST(Check, DrawsTheBodies) {
+    const Folder folder;
+    folder.write("scene.json", small_scene().dump());
+    const Outcome outcome = folder.abut({"check", "scene.json", "--png", "bodies.png"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("written: bodies.png"));
+    EXPECT_EQ(read_image(folder / "bodies.png").channels, 3);
 }
 
 TEST(Pack, MakesAPictureAndItsLegend) {
