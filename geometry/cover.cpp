@@ -206,11 +206,66 @@ double content_of(const Solid& solid, std::size_t dimension, double spacing) {
     return content * lattice.content();
 }
 
+namespace {
+
+/// The moments of two parts together.
+Covered joined(const Covered& a, const Covered& b) {
+    Covered both = a;
+    both.fraction = a.fraction + b.fraction;
+    const double share = b.fraction / both.fraction;
+    Vector way{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        way[axis] = b.centre[axis] - a.centre[axis];
+        both.centre[axis] = a.centre[axis] + share * way[axis];
+        both.variance[axis] =
+            (1 - share) * a.variance[axis] + share * b.variance[axis] + share * (1 - share) * way[axis] * way[axis];
+    }
+    both.covariance = (1 - share) * a.covariance + share * b.covariance + share * (1 - share) * way[0] * way[1];
+    return both;
+}
+
+} // namespace
+
+void join_slivers(std::vector<Covered>& places) {
+    constexpr double thin = 0.1;
+    const auto before = [](const Place& a, const Place& b) {
+        return std::array{a[2], a[1], a[0]} < std::array{b[2], b[1], b[0]};
+    };
+    std::vector<char> gone(places.size(), 0);
+    const auto find = [&](const Place& place) { // they are in rows along x
+        const auto found = std::lower_bound(places.begin(), places.end(), place,
+                                            [&](const Covered& c, const Place& p) { return before(c.place, p); });
+        return found != places.end() && found->place == place ? static_cast<std::size_t>(found - places.begin())
+                                                              : places.size();
+    };
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (places[k].fraction >= thin) continue;
+        std::size_t best = places.size();
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const int step : {-1, 1}) {
+                Place place = places[k].place;
+                place[axis] += step;
+                const std::size_t beside = find(place);
+                if (beside < places.size() && !gone[beside] && places[beside].fraction >= thin &&
+                    (best == places.size() || places[beside].fraction > places[best].fraction))
+                    best = beside;
+            }
+        if (best == places.size()) continue;
+        places[best] = joined(places[best], places[k]);
+        gone[k] = 1;
+    }
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < places.size(); ++k)
+        if (!gone[k]) places[next++] = places[k];
+    places.resize(next);
+}
+
 PlacedParticle particle_of(const Covered& covered, const Lattice& lattice, bool turned) {
-    if (covered.fraction >= 1) return {lattice.centre(covered.place), lattice.half_size(), 0};
+    if (covered.fraction == 1) return {lattice.centre(covered.place), lattice.half_size(), 0};
     PlacedParticle particle{covered.centre, {}, 0};
     Vector variance = covered.variance;
     Vector most = lattice.half_size();
+    for (double& half : most) half *= std::max(1.0, covered.fraction); // a whole place with slivers is longer
     if (turned && lattice.dimension == 2) {
         // Principal axes of the second moments. The angle stays within 45 degrees, so that x remains x.
         const double half_difference = (variance[0] - variance[1]) / 2;

@@ -13,7 +13,7 @@ namespace abut {
 /// The covered part of one place, by its moments.
 struct Covered {
     Place place{};
-    double fraction = 1;   ///< of the place's area or volume, (0, 1]
+    double fraction = 1;   ///< of the place's area or volume; beyond 1 where a sliver was joined to it
     Vector centre{};       ///< centre of mass of the covered part [m]
     Vector variance{};     ///< mean squares of the distance from it along each axis [m^2]
     double covariance = 0; ///< of x and y [m^2]
@@ -45,6 +45,11 @@ struct Moments {
 
 /// Less of a place than this is nothing: it is round-off, and a particle so thin would be of no use.
 inline constexpr double least_fraction = 1e-4;
+
+/// Parts of less than a tenth of a place are too thin for particles of their own: each is joined to the part of the same
+/// body in the place beside it that is largest, which grows by it (its fraction too, beyond 1 if it was whole), keeping
+/// content, centre and moments of both together. A part without others beside it stays as it is.
+void join_slivers(std::vector<Covered>& places);
 
 /// The places whose centre lies inside or on the outline, x fastest. Fractions are 1.
 std::vector<Covered> places_by_centre(const Solid& solid, const Lattice& lattice);

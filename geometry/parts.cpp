@@ -93,8 +93,8 @@ bool share_lattice(const Part& a, const Part& b) {
 
 bool claim_same(const Part& a, std::size_t k, const Part& b, std::size_t l) {
     if (share_lattice(a, b)) {
-        constexpr double integration_error = 2e-3; // see places_by_fraction()
-        return a.place[k] == b.place[l] && a.fraction_of(k) + b.fraction_of(l) > 1 + integration_error;
+        constexpr double slack = 0.25; // what join_slivers() may add to both, and the error of places_by_fraction()
+        return a.place[k] == b.place[l] && a.fraction_of(k) + b.fraction_of(l) > 1 + slack;
     }
     return covers(a.particle[k], b.particle[l].position) || covers(b.particle[l], a.particle[k].position);
 }
@@ -113,7 +113,7 @@ void keep_only(std::vector<T>& values, const std::vector<char>& keep) {
 
 void add_particles(Part& part, const std::vector<Covered>& places, bool turned) {
     const bool whole =
-        std::all_of(places.begin(), places.end(), [](const Covered& covered) { return covered.fraction >= 1; });
+        std::all_of(places.begin(), places.end(), [](const Covered& covered) { return covered.fraction == 1; });
     for (const Covered& covered : places) {
         part.place.push_back(covered.place);
         if (!whole) part.fraction.push_back(covered.fraction);
@@ -153,6 +153,7 @@ std::vector<Claim> find_claims(const std::vector<Part>& parts) {
         if (part < other && claim_same(parts[part], k, parts[other], l)) claims[{part, other}].insert(l);
     });
     std::vector<Claim> result;
+    result.reserve(claims.size());
     for (const auto& [pair, particles] : claims)
         result.push_back({pair.first, pair.second, {particles.begin(), particles.end()}});
     return result;
@@ -175,6 +176,7 @@ std::vector<GivenUp> settle_overlap(std::vector<Part>& parts, Overlap overlap) {
     if (overlap == Overlap::last) std::reverse(parts.begin(), parts.end());
     std::vector<GivenUp> given_up;
     std::vector<std::vector<char>> keep;
+    keep.reserve(parts.size());
     for (const Part& part : parts) keep.emplace_back(part.size(), 1);
     for (const Claim& claim : find_claims(parts)) {
         const Part& part = parts[claim.later];

@@ -47,9 +47,9 @@ struct Claim {
     std::vector<std::size_t> particles; ///< of the later one, ascending
 };
 
-/// All claims, ordered by parts. Two particles claim the same place if their parts share a lattice and they cover more
-/// than all of one place together; else if the centre of one lies within the domain of the other. Parts that only touch
-/// make no claims. Also between parts of one body: its mass would count twice.
+/// All claims, ordered by parts. Two particles claim the same place if their parts share a lattice and together they
+/// have a quarter more than one place; else if the centre of one lies within the domain of the other. Parts that only
+/// touch make no claims. Also between parts of one body: its mass would count twice.
 std::vector<Claim> find_claims(const std::vector<Part>& parts);
 
 /// Reports every claim as a problem.

@@ -183,7 +183,7 @@ Solid make(const ShapeSpec& shape, Making& making) {
         Solid operator()(const Cone& cone) const { return space_solid(cone); }
         Solid operator()(const Surface& surface) const { return make_surface(surface, making); }
         Solid operator()(const Implicit& implicit) const {
-            return solid_of(mesh_implicit(implicit, making.context.resolution / 1000));
+            return solid_of(mesh_implicit(implicit, making.context.resolution / 500));
         }
         Solid operator()(const Combination& combination) const { return combine(combination, making); }
         Solid operator()(const NamedShape& named) const { return make_named(named.name, making); }

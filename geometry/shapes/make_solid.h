@@ -14,7 +14,7 @@ struct ShapeContext {
     const std::vector<NamedShapeSpec>& shapes; ///< of the scene
     int dimension = 2;
     std::filesystem::path folder; ///< where relative file names start
-    double resolution = 0;        ///< edge of a particle: implicit surfaces are meshed to a thousandth of it [m]
+    double resolution = 0;        ///< edge of a particle: implicit surfaces are meshed to 1/500 of it [m]
 };
 
 /// Whether a shape exists in 2 or 3 dimensions: disks, ellipses, rings, polygons and paths are plane; balls,

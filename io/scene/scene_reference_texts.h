@@ -66,7 +66,8 @@ particles and in its image or shape, and how many cells its thinnest part is wid
 **Shapes.** A body has one shape. `shapes` gives shapes names, so that others can be made of them by `union`,
 `difference` and `intersection`. Surfaces from files must be closed, must not cross themselves and must have their outside
 outside; else `abut check` says what is wrong, how often and where first. Files have no units: `scale` is the length of
-one unit, `"scale": "1 mm"` for a file in millimetres. An implicit surface is meshed to a thousandth of a particle's edge.
+one unit, `"scale": "1 mm"` for a file in millimetres. An implicit surface is meshed to 1/500 of a
+particle's edge, which takes seconds where it is large or has sharp edges.
 
 **Analyses.** `plane-strain` allows no stretch across the plane; `plane-stress` finds the one that leaves no stress
 across it, and so needs materials with a shear modulus. In `axisymmetric` scenes bodies are full rings about the axis

@@ -98,7 +98,7 @@ void add_plane_shapes(ShapeTable& table) {
                           .meaning = "Corners of each hole."});
     table.object("/path",
                  "Outlines from a file: points in a CSV file (x, y a line; an empty line begins a new outline), or the "
-                 "shapes of an SVG drawing. What lies inside an odd number of outlines is solid.",
+                 "shapes of an SVG drawing, whose lower left corner is the origin. What lies inside an odd number of outlines is solid.",
                  only_in_plane);
     table.file("/path/file", "CSV or SVG file; a relative path starts from the folder of the scene file.");
     table.placement("/path");
@@ -181,9 +181,9 @@ std::vector<Key> shape_keys(const std::string& path) {
     add_solids(table);
     table.keys.push_back(
         {.path = path + "/shape", .kind = Kind::name, .meaning = "Name of one of the `shapes` of the scene."});
-    table.names("/union", 1, "What lies in any of these shapes.");
-    table.names("/difference", 2, "What lies in the first of these shapes and in none of the others.");
-    table.names("/intersection", 2, "What lies in all of these shapes.");
+    table.names("/union", 1, "Names of `shapes`: what lies in any of them.");
+    table.names("/difference", 2, "Names of `shapes`: what lies in the first and in none of the others.");
+    table.names("/intersection", 2, "Names of `shapes`: what lies in all of them.");
     return table.keys;
 }
 

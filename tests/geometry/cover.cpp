@@ -152,6 +152,39 @@ TEST(ParticleOf, HalfASquareAlongItsDiagonal) {
     EXPECT_NEAR(std::max(turned.half_size[0], turned.half_size[1]) / across, std::sqrt(3), 1e-6);
 }
 
+/// Slivers join what is beside them: contents and first moments stay, nothing thinner than a tenth is left.
+TEST(JoinSlivers, KeepContentAndCentre) {
+    for (const Case& each : cases()) {
+        const Lattice lattice = lattice_of(static_cast<std::size_t>(each.dimension), 0.11);
+        std::vector<Covered> places = places_by_fraction(solid(each.shape, each.dimension), lattice);
+        const auto sums = [&] {
+            std::array<double, 3> sum{};
+            for (const Covered& covered : places) {
+                sum[0] += covered.fraction;
+                sum[1] += covered.fraction * covered.centre[0];
+                sum[2] += covered.fraction * (covered.variance[1] + covered.centre[1] * covered.centre[1]);
+            }
+            return sum;
+        };
+        const std::array<double, 3> before = sums();
+        const std::size_t count = places.size();
+        join_slivers(places);
+        EXPECT_LT(places.size(), count) << each.name;
+        const std::array<double, 3> after = sums();
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(after[i], before[i], 1e-9 * before[0]) << each.name;
+        for (const Covered& covered : places) {
+            EXPECT_GE(covered.fraction, 0.1) << each.name;
+            const PlacedParticle particle = particle_of(covered, lattice, true);
+            const double shortest =
+                *std::min_element(particle.half_size.begin(), particle.half_size.begin() + each.dimension);
+            EXPECT_GT(shortest, 0.02 * lattice.edge[0]) << each.name;
+        }
+    }
+    std::vector<Covered> alone{{{0, 0, 0}, 0.05, {}, {}, 0}};
+    join_slivers(alone);
+    EXPECT_EQ(alone.size(), 1u);
+}
+
 /// Whatever the outline: content and centre are kept, and no particle is longer than its place's diagonal.
 TEST(ParticleOf, KeepsContentAndCentre) {
     for (const Case& each : cases()) {
