@@ -18,7 +18,7 @@ END
 }
 
 results=results/ellipses
-options=(--set "/grid/cell=28.6 um")
+options=(--set "/grid/cell=28.6 um" --set /time/cfl=0.3)
 threads=()
 while (($# > 0)); do
     case $1 in

@@ -88,6 +88,11 @@ void add_shapes(Building& building, const std::string& scene_name, bool wants_ex
     }
 }
 
+bool has_body(const Model& model, const std::string& name) {
+    return std::any_of(model.bodies.begin(), model.bodies.end(),
+                       [&](const ModelBody& body) { return body.name == name; });
+}
+
 void add_image(Building& building, std::size_t index, const std::string& scene_name, std::vector<std::string>& notes) {
     const ImageSpec& spec = building.scene.images[index];
     const auto mention = [&](std::size_t k, const std::string& name) {
@@ -105,12 +110,17 @@ void add_image(Building& building, std::size_t index, const std::string& scene_n
         for (std::size_t k = 0; k < spec.legend.size(); ++k)
             if (!spec.legend[k].is_void) body_index(mention(k, spec.legend[k].body), building);
     for (ImagePart& each : image_parts(building.scene, index, scene_name, notes, building.problems)) {
-        if (spec.bodies == BodiesBy::legend)
-            for (std::size_t k = 0; k < building.model.bodies.size(); ++k) {
+        if (spec.bodies == BodiesBy::legend) {
+            for (std::size_t k = 0; k < building.model.bodies.size(); ++k)
                 if (building.model.bodies[k].name == each.part.body_name) each.part.body = static_cast<int>(k);
-            }
-        else
+        } else {
+            if (spec.bodies == BodiesBy::component && has_body(building.model, each.part.body_name))
+                building.problems.push_back({each.part.pointer + "/body",
+                                             fmt::format("there is a body \"{}\" already; components of several images "
+                                                         "need different names",
+                                                         each.part.body_name)});
             each.part.body = body_index(mention(each.entry, each.part.body_name), building);
+        }
         building.parts.push_back(std::move(each.part));
     }
 }
@@ -125,6 +135,20 @@ void check_names(Building& building) {
         if (!exists(name)) building.problems.push_back({pointer, fmt::format("no body \"{}\"", name)});
     };
     const Scene& scene = building.scene;
+    constexpr double most_pairs = 5e6; // a law is stored for each
+    double pairs = 0;
+    const auto count = [&](const std::string& name) {
+        return static_cast<double>(
+            std::count_if(building.model.bodies.begin(), building.model.bodies.end(),
+                          [&](const ModelBody& body) { return body.name == name || body.group == name; }));
+    };
+    for (std::size_t k = 0; scene.contact && k < scene.contact->laws.size(); ++k)
+        pairs += count(scene.contact->laws[k].bodies[0]) * count(scene.contact->laws[k].bodies[1]);
+    if (pairs > most_pairs)
+        building.problems.push_back(
+            {"/contact/laws", fmt::format("they are for {:.0f} pairs of bodies, more than {:.0f}; "
+                                          "the law of most pairs belongs to /contact/law",
+                                          pairs, most_pairs)});
     for (std::size_t k = 0; scene.contact && k < scene.contact->laws.size(); ++k)
         for (std::size_t i = 0; i < 2; ++i)
             check(fmt::format("/contact/laws/{}/bodies/{}", k, i), scene.contact->laws[k].bodies[i]);
@@ -214,9 +238,32 @@ void fill_report(const Building& building, ModelReport& report) {
 
 } // namespace
 
+namespace {
+
+/// More places than this per axis are a mistake in a unit: numbers of places would overflow.
+void check_places(const Scene& scene, const std::string& scene_name) {
+    constexpr double most_along_an_axis = 1e6;
+    std::vector<Problem> problems;
+    int finest = 1;
+    for (const BodySpec& body : scene.bodies) finest = std::max(finest, body.particles_per_cell);
+    for (const ImageSpec& image : scene.images) finest = std::max(finest, image.particles_per_cell);
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension(scene.analysis)); ++axis) {
+        const double places = (scene.grid.upper[axis] - scene.grid.lower[axis]) / scene.grid.cell[axis] * finest;
+        if (!(places <= most_along_an_axis))
+            problems.push_back(
+                {"/grid/cell", fmt::format("the grid would have {:.3g} places for particles along {}: is the "
+                                           "unit of the cells right?",
+                                           places, "xyz"[axis])});
+    }
+    if (!problems.empty()) throw SceneError(scene_name, std::move(problems));
+}
+
+} // namespace
+
 Model build_model(const Scene& scene, const std::string& scene_name, ModelReport* report) {
     if (!has_usable_grid(scene.grid, dimension(scene.analysis)))
         throw SceneError(scene_name, {{"/grid", "needs cells larger than 0 and an upper corner above the lower one"}});
+    check_places(scene, scene_name);
     Building building{scene};
     std::vector<std::string> notes;
     add_shapes(building, scene_name, report != nullptr, notes);
@@ -228,7 +275,9 @@ Model build_model(const Scene& scene, const std::string& scene_name, ModelReport
     } else if (building.problems.empty()) {
         for (const GivenUp& gift : settle_overlap(building.parts, scene.overlap)) {
             Part& from = building.parts[gift.from];
-            from.exact -= gift.content;
+            // A shape was cut by the shapes that come before it already.
+            if (from.pointer.starts_with("/images") || building.parts[gift.to].pointer.starts_with("/images"))
+                from.exact -= gift.content;
             notes.push_back(fmt::format("body \"{}\" ({}) gave {} to \"{}\" ({})", from.body_name, from.pointer,
                                         count_text(gift.particles, "particle"), building.parts[gift.to].body_name,
                                         building.parts[gift.to].pointer));

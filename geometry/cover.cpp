@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <numbers>
 
@@ -63,10 +64,16 @@ std::vector<Covered> for_columns(const Solid& solid, const Lattice& lattice, Col
     const Reach y = lattice.dimension == 3 ? reach_of(solid, lattice, 1) : Reach{};
     const std::int64_t columns = std::int64_t{x.count()} * y.count();
     std::vector<std::vector<Covered>> of_column(static_cast<std::size_t>(columns));
+    std::exception_ptr failed; // out of memory, say: loops of threads must not throw
 #pragma omp parallel for schedule(dynamic, 16)
-    for (std::int64_t c = 0; c < columns; ++c)
-        column(x.first + static_cast<std::int32_t>(c % x.count()), y.first + static_cast<std::int32_t>(c / x.count()),
-               of_column[static_cast<std::size_t>(c)]);
+    for (std::int64_t c = 0; c < columns; ++c) try {
+            column(x.first + static_cast<std::int32_t>(c % x.count()),
+                   y.first + static_cast<std::int32_t>(c / x.count()), of_column[static_cast<std::size_t>(c)]);
+        } catch (...) {
+#pragma omp critical
+            failed = std::current_exception();
+        }
+    if (failed) std::rethrow_exception(failed);
     // From columns along the last axis to rows along x.
     std::vector<Covered> places;
     std::size_t count = 0;
@@ -76,7 +83,7 @@ std::vector<Covered> for_columns(const Solid& solid, const Lattice& lattice, Col
     const Reach last = reach_of(solid, lattice, last_axis);
     for (std::int32_t l = last.first; l <= last.last; ++l)
         for (std::size_t c = 0; c < of_column.size(); ++c)
-            while (next[c] < of_column[c].size() && of_column[c][next[c]].place[last_axis] == l)
+            while (next[c] < of_column[c].size() && of_column[c][next[c]].place[last_axis] <= l)
                 places.push_back(of_column[c][next[c]++]);
     return places;
 }
@@ -126,15 +133,18 @@ std::vector<Covered> places_by_centre(const Solid& solid, const Lattice& lattice
     const double slack = 1e-9 * lattice.edge[along];
     return for_columns(solid, lattice, [&](std::int32_t i, std::int32_t j, std::vector<Covered>& places) {
         std::int32_t next = std::numeric_limits<std::int32_t>::min();
-        const double x = moved_inwards(lattice.centre(0, i), solid, lattice, 0);
-        const double y = along == 2 ? moved_inwards(lattice.centre(1, j), solid, lattice, 1) : 0;
+        const auto moved = [&](double at, std::size_t axis) {
+            return solid.half_open ? at + slack : moved_inwards(at, solid, lattice, axis);
+        };
+        const double x = moved(lattice.centre(0, i), 0);
+        const double y = along == 2 ? moved(lattice.centre(1, j), 1) : 0;
         for (const Span& span : solid.spans(x, y)) {
             // The first place whose centre is not below the span, the last whose centre is not above it.
             const double origin = lattice.lower[along];
             const auto first =
                 static_cast<std::int32_t>(std::ceil((span.from - slack - origin) / lattice.edge[along] - 0.5));
-            const auto last =
-                static_cast<std::int32_t>(std::floor((span.to + slack - origin) / lattice.edge[along] - 0.5));
+            const auto last = static_cast<std::int32_t>(
+                std::floor((span.to + (solid.half_open ? -slack : slack) - origin) / lattice.edge[along] - 0.5));
             for (std::int32_t l = std::max(first, next); l <= last; ++l)
                 places.push_back(whole(lattice, place_in(lattice.dimension, i, j, l)));
             next = std::max(next, last + 1);

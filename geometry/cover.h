@@ -46,9 +46,9 @@ struct Moments {
 /// Less of a place than this is nothing: it is round-off, and a particle so thin would be of no use.
 inline constexpr double least_fraction = 1e-4;
 
-/// Parts of less than a tenth of a place are too thin for particles of their own: each is joined to the part of the same
-/// body in the place beside it that is largest, which grows by it (its fraction too, beyond 1 if it was whole), keeping
-/// content, centre and moments of both together. A part without others beside it stays as it is.
+/// Parts of less than a tenth of a place are too thin for particles of their own: each is joined to the part of the
+/// same body in the place beside it that is largest, which grows by it (its fraction too, beyond 1 if it was whole),
+/// keeping content, centre and moments of both together. A part without others beside it stays as it is.
 void join_slivers(std::vector<Covered>& places);
 
 /// The places whose centre lies inside or on the outline, x fastest. Fractions are 1.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace abut {
 
@@ -130,6 +131,7 @@ Covered whole(const Lattice& lattice, const Place& place) {
 /// Calls piece(label, lower, upper) for the pieces of pixels in a place.
 template <class Piece>
 void for_pieces(const LabelVolume& image, const Span1D& x, const Span1D& y, const Span1D& z, Piece&& piece) {
+    if (x.pixels() == 0) return;
     for (std::size_t n = 0; n < z.pixels(); ++n)
         for (std::size_t m = 0; m < y.pixels(); ++m) {
             const std::int32_t* label = &image.label[image.index(x.first_pixel, y.first_pixel + static_cast<int>(m),
@@ -176,8 +178,12 @@ std::vector<std::vector<Covered>> cover_image(const LabelVolume& image, std::siz
     return result;
 }
 
-std::vector<double> mean_over_places(const LabelVolume& values, const ImageFrame& frame, const Lattice& lattice,
+std::vector<double> mean_over_places(const LabelVolume& values, const LabelVolume& image, std::int32_t label,
+                                     const ImageFrame& frame, const Lattice& lattice,
                                      const std::vector<Place>& places) {
+    LabelVolume pixels{values.size, {}}; // numbers of pixels, to look up both images by
+    pixels.label.resize(values.label.size());
+    std::iota(pixels.label.begin(), pixels.label.end(), 0);
     std::vector<double> means;
     means.reserve(places.size());
     const auto span = [&](std::size_t axis, const Place& place) {
@@ -186,15 +192,19 @@ std::vector<double> mean_over_places(const LabelVolume& values, const ImageFrame
                        frame.pixel[axis], values.size[axis]);
     };
     for (const Place& place : places) {
-        double sum = 0;
-        double share = 0;
-        for_pieces(values, span(0, place), span(1, place), span(2, place),
-                   [&](std::int32_t value, const Vector& lower, const Vector& upper) {
+        std::array<double, 2> sum{}; // over the body's pixels, and over all
+        std::array<double, 2> share{};
+        for_pieces(pixels, span(0, place), span(1, place), span(2, place),
+                   [&](std::int32_t pixel, const Vector& lower, const Vector& upper) {
+                       const auto p = static_cast<std::size_t>(pixel);
                        const double size = (upper[0] - lower[0]) * (upper[1] - lower[1]) * (upper[2] - lower[2]);
-                       sum += size * value;
-                       share += size;
+                       for (std::size_t of = image.label[p] == label ? 0 : 1; of < 2; ++of) {
+                           sum[of] += size * values.label[p];
+                           share[of] += size;
+                       }
                    });
-        means.push_back(share > 0 ? sum / share : 0);
+        const std::size_t of = share[0] > 0 ? 0 : 1;
+        means.push_back(share[of] > 0 ? sum[of] / share[of] : 0);
     }
     return means;
 }

@@ -25,9 +25,10 @@ struct ImageFrame {
 std::vector<std::vector<Covered>> cover_image(const LabelVolume& image, std::size_t bodies, const ImageFrame& frame,
                                               const Lattice& lattice, const Place& places, Fill fill);
 
-/// The mean of a value per pixel over each of the places, for places that the image covers in part.
-std::vector<double> mean_over_places(const LabelVolume& values, const ImageFrame& frame, const Lattice& lattice,
-                                     const std::vector<Place>& places);
+/// The mean of a value per pixel over a body's own pixels (those of `label` in the image) in each of its places, or
+/// over all pixels there if it has none.
+std::vector<double> mean_over_places(const LabelVolume& values, const LabelVolume& image, std::int32_t label,
+                                     const ImageFrame& frame, const Lattice& lattice, const std::vector<Place>& places);
 
 /// The value of the pixel at a point; that of the nearest pixel beyond the image.
 std::int32_t value_at(const LabelVolume& values, const ImageFrame& frame, std::size_t dimension, const Vector& x);

@@ -145,10 +145,11 @@ void add_values(const Work& work, const LabelledImage& image, std::vector<ImageP
         if (const auto values = read_values(work, *work.spec.temperature, "temperature", image.volume.size)) {
             const double black = work.spec.temperature->black;
             const double per_grey = (work.spec.temperature->white - black) / values->highest;
-            for (ImagePart& each : parts)
+            for (std::size_t k = 0; k < parts.size(); ++k) // part k is that of label k + 1
                 for (const double grey :
-                     mean_over_places(values->volume, work.frame, each.part.lattice, each.part.place))
-                    each.part.temperature.push_back(black + per_grey * grey);
+                     mean_over_places(values->volume, image.volume, static_cast<std::int32_t>(k + 1), work.frame,
+                                      parts[k].part.lattice, parts[k].part.place))
+                    parts[k].part.temperature.push_back(black + per_grey * grey);
         }
     if (work.spec.orientation)
         if (const auto values = read_values(work, *work.spec.orientation, "orientation", image.volume.size)) {

@@ -148,9 +148,9 @@ void check_inside(const std::vector<Part>& parts, const GridSpec& grid, std::vec
 std::vector<Claim> find_claims(const std::vector<Part>& parts) {
     if (parts.size() < 2) return {};
     const Bins bins(parts);
-    std::map<std::pair<std::size_t, std::size_t>, std::set<std::size_t>> claims;
+    std::map<std::pair<std::size_t, std::size_t>, std::set<std::array<std::size_t, 2>>> claims;
     bins.for_each_close_pair([&](std::size_t part, std::size_t k, std::size_t other, std::size_t l) {
-        if (part < other && claim_same(parts[part], k, parts[other], l)) claims[{part, other}].insert(l);
+        if (part < other && claim_same(parts[part], k, parts[other], l)) claims[{part, other}].insert({l, k});
     });
     std::vector<Claim> result;
     result.reserve(claims.size());
@@ -163,26 +163,30 @@ void check_overlap(const std::vector<Part>& parts, std::vector<Problem>& problem
     for (const Claim& claim : find_claims(parts)) {
         const Part& earlier = parts[claim.earlier];
         const Part& later = parts[claim.later];
-        problems.push_back(
-            {later.pointer, fmt::format("body \"{}\" claims a place that body \"{}\" has already ({}): "
-                                        "{} of its {} coincide{}",
-                                        later.body_name, earlier.body_name, earlier.pointer, claim.particles.size(),
-                                        count_text(later.size(), "particle"), claim.particles.size() == 1 ? "s" : "")});
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < claim.particles.size(); ++i)
+            count += i == 0 || claim.particles[i][0] != claim.particles[i - 1][0] ? 1 : 0;
+        problems.push_back({later.pointer, fmt::format("body \"{}\" claims a place that body \"{}\" has already ({}): "
+                                                       "{} of its {} coincide{}",
+                                                       later.body_name, earlier.body_name, earlier.pointer, count,
+                                                       count_text(later.size(), "particle"), count == 1 ? "s" : "")});
     }
 }
 
 std::vector<GivenUp> settle_overlap(std::vector<Part>& parts, Overlap overlap) {
     // The parts in the order in which they may choose.
     if (overlap == Overlap::last) std::reverse(parts.begin(), parts.end());
+    std::vector<Claim> claims = find_claims(parts);
+    std::stable_sort(claims.begin(), claims.end(), [](const Claim& a, const Claim& b) { return a.later < b.later; });
     std::vector<GivenUp> given_up;
     std::vector<std::vector<char>> keep;
     keep.reserve(parts.size());
     for (const Part& part : parts) keep.emplace_back(part.size(), 1);
-    for (const Claim& claim : find_claims(parts)) {
+    for (const Claim& claim : claims) { // all that an earlier part has given up is known when a later one's turn comes
         const Part& part = parts[claim.later];
         GivenUp gift{claim.later, claim.earlier, 0, 0};
-        for (const std::size_t k : claim.particles) {
-            if (!keep[claim.later][k]) continue; // another one has it already
+        for (const auto& [k, in_the_way] : claim.particles) {
+            if (!keep[claim.later][k] || !keep[claim.earlier][in_the_way]) continue;
             keep[claim.later][k] = 0;
             ++gift.particles;
             gift.content += part.fraction_of(k) * part.lattice.content();

@@ -44,7 +44,9 @@ void check_inside(const std::vector<Part>& parts, const GridSpec& grid, std::vec
 /// Particles of a part that claim a place that an earlier part has.
 struct Claim {
     std::size_t earlier = 0, later = 0; ///< indices of parts
-    std::vector<std::size_t> particles; ///< of the later one, ascending
+    /// Particles of the later part, ascending, each with the one of the earlier part that is in its way; several times
+    /// if several are.
+    std::vector<std::array<std::size_t, 2>> particles;
 };
 
 /// All claims, ordered by parts. Two particles claim the same place if their parts share a lattice and together they

@@ -194,7 +194,7 @@ std::vector<Part> shape_parts(const Scene& scene, const std::string& scene_name,
             const Solid solid = before.empty() ? whole : cut(whole, before);
             const auto* box = std::get_if<Box>(&body.shape);
             const Arrangement arrangement = arrangement_of(body, axes);
-            if (box && arrangement == Arrangement::fitted) {
+            if (box && arrangement == Arrangement::fitted && (before.empty() || box->angle != 0)) {
                 fill_box(part, *box, part.lattice, effective_cell(scene.grid));
             } else {
                 if (arrangement == Arrangement::fitted)

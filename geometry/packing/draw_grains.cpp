@@ -126,7 +126,7 @@ Image draw(const ShadedGrains& shaded, int slice) {
 
 std::string legend_json(const ShadedGrains& shaded, const std::string& material) {
     const bool shared = shaded.shades.size() < shaded.shade.size();
-    std::string text = shared ? "\"bodies\": \"by-component\",\n\"legend\": [\n" : "\"legend\": [\n";
+    std::string text = shared ? "\"bodies\": \"by-component\", \"speckle\": 9,\n\"legend\": [\n" : "\"legend\": [\n";
     for (std::size_t k = 0; k < shaded.shades.size(); ++k)
         text += fmt::format("  {{ \"grey\": {}, \"body\": \"{}\", \"material\": \"{}\" }},\n", shaded.shades[k],
                             shared ? "grain" : fmt::format("grain-{:02}", k + 1), material);

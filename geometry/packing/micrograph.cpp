@@ -71,10 +71,10 @@ Image Micrograph::slice(int number) {
 
 std::string legend_json(const MicrographStyle& style, const std::string& material) {
     const int between = (style.grain + style.space) / 2;
-    return fmt::format(
-        "\"bodies\": \"by-component\",\n\"legend\": [\n  {{ \"grey_range\": [{}, 255], \"body\": \"grain\", "
-        "\"material\": \"{}\" }},\n  {{ \"grey_range\": [0, {}], \"void\": true }}\n]",
-        between + 1, material, between);
+    return fmt::format("\"bodies\": \"by-component\", \"speckle\": 9,\n\"legend\": [\n  {{ \"grey_range\": [{}, 255], "
+                       "\"body\": \"grain\", "
+                       "\"material\": \"{}\" }},\n  {{ \"grey_range\": [0, {}], \"void\": true }}\n]",
+                       between + 1, material, between);
 }
 
 } // namespace abut

@@ -74,6 +74,7 @@ Solid combine(const Combination& combination, Making& making) {
     std::vector<Solid> solids;
     for (const std::string& name : combination.shapes) solids.push_back(make_named(name, making));
     Solid result = solids.front();
+    for (const Solid& solid : solids) result.half_open = result.half_open && solid.half_open;
     for (std::size_t k = 1; k < solids.size(); ++k) {
         for (std::size_t a = 0; a < 3; ++a) {
             if (combination.operation == Operation::union_) {

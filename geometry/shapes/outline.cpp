@@ -85,6 +85,7 @@ double area_of(const Outline2D& points) {
 Solid solid_of_outlines(const std::vector<Outline2D>& outlines) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Solid solid{{infinity, infinity, 0}, {-infinity, -infinity, 0}, {}, {}};
+    solid.half_open = true;
     std::vector<Edge> edges;
     for (const Outline2D& outline : outlines)
         for (std::size_t k = 0; k < outline.size(); ++k) {

@@ -48,6 +48,7 @@ Solid plane_solid(const Box& box) {
         return solid_of_outlines({corners});
     }
     Solid solid{box.lower, box.upper, {}, {}};
+    solid.half_open = true;
     solid.lower[2] = solid.upper[2] = 0;
     solid.breaks[0] = {box.lower[0], box.upper[0]};
     solid.spans = [box](double x, double) -> Spans {

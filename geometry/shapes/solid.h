@@ -33,6 +33,9 @@ struct Solid {
     std::array<std::vector<double>, 2> breaks;
     /// The spans of the line at x (and, in 3D, y). May be called by several threads at once.
     std::function<Spans(double x, double y)> spans;
+    /// Whether the places whose centre lies on its outline are its own only on its lower and left sides: of shapes with
+    /// straight sides, which may share them with others. Round ones take all, which keeps them symmetric.
+    bool half_open = false;
 };
 
 } // namespace abut

@@ -192,6 +192,7 @@ std::vector<double> breaks_along(const TriangleMesh& mesh, std::size_t axis) {
 Solid solid_of(const TriangleMesh& mesh) {
     const auto bins = std::make_shared<const Bins>(mesh);
     Solid solid;
+    solid.half_open = true;
     solid.lower = bins->lower();
     solid.upper = bins->upper();
     for (std::size_t axis = 0; axis < 2; ++axis) solid.breaks[axis] = breaks_along(mesh, axis);

@@ -81,6 +81,7 @@ Solid frustum(const Vector& from, const Vector& to, double radius, double top_ra
 
 Solid space_solid(const Box& box) {
     Solid solid{box.lower, box.upper, {}, {}};
+    solid.half_open = true;
     if (box.angle == 0) {
         add_breaks(solid);
         solid.spans = [box](double x, double y) -> Spans {

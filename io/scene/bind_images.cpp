@@ -16,6 +16,11 @@ std::array<int, 3> bind_colour(std::string_view text) {
     return rgb;
 }
 
+/// Whether a list was found right; wrong entries are texts.
+bool are_two_numbers(const Json& json) {
+    return json.size() == 2 && json[0].is_number() && json[1].is_number();
+}
+
 /// A list of two whole numbers.
 std::array<int, 2> bind_two(const Json& json) {
     return {json.at(0).get<int>(), json.at(1).get<int>()};
@@ -26,7 +31,7 @@ LegendEntry bind_legend_entry(const Json& json) {
     if (const Json* grey = find(json, "grey")) {
         entry.grey = true;
         entry.rgb.fill(grey->get<int>());
-    } else if (const Json* range = find(json, "grey_range"); range && range->size() == 2 && (*range)[0].is_number()) {
+    } else if (const Json* range = find(json, "grey_range"); range && are_two_numbers(*range)) {
         entry.grey = true;
         entry.grey_range = bind_two(*range);
     } else if (const Json* rgb = find(json, "rgb")) {
@@ -47,8 +52,7 @@ std::array<std::array<int, 2>, 3> bind_crop(const Json& json) {
     std::array<std::array<int, 2>, 3> crop{all, all, all};
     const std::array names{"columns", "rows", "slices"};
     for (std::size_t i = 0; i < names.size(); ++i)
-        if (const Json* range = find(json, names[i]); range && range->size() == 2 && (*range)[0].is_number())
-            crop[i] = bind_two(*range);
+        if (const Json* range = find(json, names[i]); range && are_two_numbers(*range)) crop[i] = bind_two(*range);
     return crop;
 }
 

@@ -75,6 +75,7 @@ std::vector<Key> arrangement_keys() {
     add_crop("columns", "First and last column.");
     add_crop("rows", "First and last row, from the top of the file.");
     add_crop("slices", "First and last slice.");
+    keys[keys.size() - 2].only_with = only_in_3d;
     const std::vector<Key> more{
         {.path = "/images/#/flip",
          .kind = Kind::list,
@@ -194,7 +195,8 @@ std::vector<Key> legend_keys() {
     };
 }
 
-std::vector<Key> value_image_keys(const std::string& name, const Dimension& dimension, const std::string& meaning) {
+std::vector<Key> value_image_keys(const std::string& name, const Dimension& dimension, const Range& range,
+                                  const std::string& meaning) {
     const std::string path = "/images/#/" + name;
     return {
         {.path = path, .kind = Kind::object, .meaning = meaning},
@@ -206,11 +208,13 @@ std::vector<Key> value_image_keys(const std::string& name, const Dimension& dime
          .kind = Kind::quantity,
          .dimension = dimension,
          .required = true,
+         .range = range,
          .meaning = "Value of grey 0."},
         {.path = path + "/white",
          .kind = Kind::quantity,
          .dimension = dimension,
          .required = true,
+         .range = range,
          .meaning = "Value of the highest grey, 255 or in images of 16 bits 65535; linear between."},
     };
 }
@@ -221,9 +225,9 @@ std::vector<Key> image_keys() {
     std::vector<Key> keys;
     for (std::vector<Key>& more :
          std::vector{place_keys(), arrangement_keys(), legend_keys(),
-                     value_image_keys("temperature", dimensions::temperature,
+                     value_image_keys("temperature", dimensions::temperature, above(0),
                                       "Initial temperature of the particles, from a second image."),
-                     value_image_keys("orientation", dimensions::angle,
+                     value_image_keys("orientation", dimensions::angle, {},
                                       "Direction of the material's own x axis, from a second image.")})
         keys.insert(keys.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     return keys;

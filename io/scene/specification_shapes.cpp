@@ -98,7 +98,8 @@ void add_plane_shapes(ShapeTable& table) {
                           .meaning = "Corners of each hole."});
     table.object("/path",
                  "Outlines from a file: points in a CSV file (x, y a line; an empty line begins a new outline), or the "
-                 "shapes of an SVG drawing, whose lower left corner is the origin. What lies inside an odd number of outlines is solid.",
+                 "shapes of an SVG drawing, whose lower left corner is the origin. What lies inside an odd number of "
+                 "outlines is solid.",
                  only_in_plane);
     table.file("/path/file", "CSV or SVG file; a relative path starts from the folder of the scene file.");
     table.placement("/path");

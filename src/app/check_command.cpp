@@ -7,6 +7,7 @@
 #include "plan/fields.h"
 #include "plan/time_step.h"
 #include "results/frames.h"
+#include "scene/input_files.h"
 #include "scene/problem.h"
 #include "scene/validate.h"
 #include "step/check_state.h"
@@ -111,6 +112,18 @@ Bounds grid_box(const Scene& scene) {
     return {scene.grid.lower, scene.grid.upper};
 }
 
+/// Refuses to write where the scene or what it names lies.
+void check_output(const std::filesystem::path& output, const SceneOptions& options, const Scene& scene) {
+    std::vector<std::filesystem::path> inputs = input_files(scene);
+    inputs.push_back(options.scene);
+    for (const std::filesystem::path& input : inputs) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(output, input, ignored))
+            throw UsageError(
+                fmt::format("\"{}\" is a file that the scene uses; it would be overwritten", output.string()));
+    }
+}
+
 template <int D>
 void draw(const State<D>& state, const RenderOptions& options, const std::filesystem::path& file) {
     try {
@@ -143,6 +156,7 @@ int with_state(const SceneOptions& options, ModelReport* report, Use&& use) {
 
 int check_command(const SceneOptions& options, const std::filesystem::path& png) {
     return with_state(options, nullptr, [&](auto& state) {
+        if (!png.empty()) check_output(png, options, state.scene);
         print_plan(state, options);
         if (png.empty()) return;
         draw(state, {}, png);
@@ -154,11 +168,16 @@ int particles_command(const SceneOptions& options, ParticlesOptions preview) {
     if (preview.output.empty()) preview.output = options.scene.stem().string() + "-particles.vtu";
     ModelReport report;
     return with_state(options, &report, [&](auto& state) {
+        if (preview.output.extension() != ".vtu")
+            throw UsageError(
+                fmt::format("-o {}: the name must end in .vtu; the picture is put beside it", preview.output.string()));
         const std::filesystem::path picture = std::filesystem::path(preview.output).replace_extension(".png");
-        write_particles(preview.output, particle_frame(state));
-        if (!preview.no_picture) draw(state, preview.render, picture);
+        check_output(preview.output, options, state.scene);
+        if (!preview.no_picture) check_output(picture, options, state.scene);
         fmt::print("{}", table_of(report, static_cast<std::size_t>(dimension(state.scene.analysis))));
         for (const std::string& note : report.notes) fmt::print("{}\n", note);
+        write_particles(preview.output, particle_frame(state));
+        if (!preview.no_picture) draw(state, preview.render, picture);
         fmt::print("written: {}{}\n", preview.output.string(), preview.no_picture ? "" : " and " + picture.string());
     });
 }

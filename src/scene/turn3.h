@@ -13,7 +13,7 @@ using Rotation = std::array<Vector, 3>;
 
 /// Counter-clockwise by an angle seen against an axis of any length but 0 (Rodrigues).
 inline Rotation rotation(const Vector& axis, double angle) {
-    const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    const double length = std::hypot(axis[0], axis[1], axis[2]);
     const Vector n{axis[0] / length, axis[1] / length, axis[2] / length};
     const double c = std::cos(angle);
     const double s = std::sin(angle);

@@ -134,7 +134,13 @@ struct ShapeCheck {
     template <class Other>
     void operator()(const Other&) const {}
 
-    void operator()(const Box& box) const { check_axis(box.axis, "/box"); }
+    void operator()(const Box& box) const {
+        check_axis(box.axis, "/box");
+        if (pointer.starts_with("/bodies")) return; // BodyCheck does it
+        for (std::size_t axis = 0; axis < axes(scene); ++axis)
+            demand(box.lower[axis] < box.upper[axis], pointer + "/box/upper",
+                   "must lie above \"lower\" along " + std::string(axis_names[axis]), problems);
+    }
     void operator()(const Ellipsoid& ellipsoid) const { check_axis(ellipsoid.axis, "/ellipsoid"); }
     void operator()(const Path& path) const { check_axis(path.placement.axis, "/path"); }
     void operator()(const Surface& surface) const { check_axis(surface.placement.axis, "/surface"); }
@@ -177,11 +183,13 @@ void check_crop(const ImageSpec& image, const std::string& pointer, Problems& pr
     }
 }
 
-/// In plane stress nothing may press across the plane.
-void check_initial_stress(const InitialState& state, const Scene& scene, const std::string& pointer,
-                          Problems& problems) {
+/// In plane stress nothing may press across the plane, and nothing may turn an axisymmetric body over.
+void check_initial_state(const InitialState& state, const Scene& scene, const std::string& pointer,
+                         Problems& problems) {
     demand(!state.stress || scene.analysis != Analysis::plane_stress || (*state.stress)[2] == 0, pointer + "/stress/zz",
            "must be 0 in plane stress", problems);
+    demand(scene.analysis != Analysis::axisymmetric || state.angular_velocity[2] == 0, pointer + "/angular_velocity",
+           "must be 0 in an axisymmetric scene: a ring can't rotate in the plane", problems);
 }
 
 void check_legend(const ImageSpec& image, const Scene& scene, const std::string& pointer, Problems& problems) {
@@ -191,7 +199,7 @@ void check_legend(const ImageSpec& image, const Scene& scene, const std::string&
         if (entry.grey_range)
             demand((*entry.grey_range)[0] <= (*entry.grey_range)[1], at + "/grey_range",
                    "the highest grey must not be below the lowest", problems);
-        check_initial_stress(entry.state, scene, at, problems);
+        check_initial_state(entry.state, scene, at, problems);
         if (entry.rigid && image.bodies != BodiesBy::legend)
             problems.push_back({at + "/rigid", "a rigid body is one body; it needs \"bodies\": \"legend\""});
     }
@@ -227,7 +235,7 @@ void validate_matter(const Scene& scene, Problems& problems) {
         const std::string pointer = "/bodies/" + std::to_string(i);
         std::visit(ShapeCheck{scene, pointer, problems}, scene.bodies[i].shape);
         const BodySpec& body = scene.bodies[i];
-        check_initial_stress(body.state, scene, pointer, problems);
+        check_initial_state(body.state, scene, pointer, problems);
         if (body.arrangement == Arrangement::fitted && scene.analysis == Analysis::three_d)
             if (const auto* box = std::get_if<Box>(&body.shape); box && box->angle != 0)
                 problems.push_back({pointer + "/arrangement",

@@ -42,7 +42,7 @@ bool moves(const RigidSpec& rigid) {
 template <int D>
 bool anything_moves(const State<D>& state, std::int32_t wall_number) {
     const auto is_still = [](const InitialVelocity& v) { return v == InitialVelocity{{}, {}, v.center}; };
-    if (state.effects.gravity || state.effects.tractions) return true;
+    if (state.effects.gravity || state.effects.tractions || state.effects.prestress) return true;
     if (!std::all_of(state.bodies.begin(), state.bodies.end(), [&](const ModelBody& body) {
             return is_still(body.velocity) && !(body.rigid && moves(*body.rigid));
         }))

@@ -85,8 +85,13 @@ State<D> make_state(const Scene& scene, const Model& model) {
     for (const ModelBody& body : model.bodies) {
         if (body.rigid) continue;
         const Material& material = state.materials[body.material];
-        const double stiffness = std::visit(
+        double stiffness = std::visit(
             [](const auto& law) { return law.template stiffness<D>(strain_of<D>(Mat<D>::Identity())); }, material.law);
+        if (body.stress) { // as in update_stress()
+            Stress<D> stress;
+            for (int c = 0; c < static_cast<int>(stress.size()); ++c) stress[c] = (*body.stress)[c];
+            stiffness += stress.norm();
+        }
         state.largest_wave_speed = std::max(state.largest_wave_speed, std::sqrt(stiffness / material.density));
     }
     return state;

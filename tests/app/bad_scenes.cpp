@@ -181,17 +181,17 @@ TEST(BadImage, AnimatedOrOfNoKnownKind) {
 TEST(BadImage, ColourThatTheLegendLacks) {
     const Folder folder;
     folder.write("picture.png", grey_png(8, {0, 0, 255, 7}));
-    expect_refused(
-        folder, image_scene(),
-        {"/images/0/legend: no entry covers grey 7 (4 pixels); add entries, a tolerance to the ones there, or a \"grey_range\""});
+    expect_refused(folder, image_scene(),
+                   {"/images/0/legend: no entry covers grey 7 (4 pixels); add entries, a tolerance to the ones there, "
+                    "or a \"grey_range\""});
 }
 
 TEST(BadImage, LegendWithoutVoid) {
     const Folder folder;
     folder.write("picture.png", grey_png(8, black_and_white));
-    expect_refused(
-        folder, image_scene(""),
-        {"/images/0/legend: no entry covers grey 255 (8 pixels); add entries, a tolerance to the ones there, or a \"grey_range\""});
+    expect_refused(folder, image_scene(""),
+                   {"/images/0/legend: no entry covers grey 255 (8 pixels); add entries, a tolerance to the ones "
+                    "there, or a \"grey_range\""});
     // A picture that bodies cover completely needs none.
     folder.write("picture.png", grey_png(8, {0, 0, 0, 0}));
     EXPECT_EQ(folder.abut({"check", "bad.json"}).exit_code, 0);

@@ -211,7 +211,11 @@ TEST(ImageCover, MeansAndValuesOfASecondImage) {
     LabelVolume values{{4, 2, 1}, {0, 10, 20, 30, 40, 50, 60, 70}};
     const ImageFrame frame{{0, 0, 0}, {1, 1, 0}};
     const Lattice lattice{2, {0.5, 0, 0}, {2, 2, 0}}; // half of column 0, column 1, half of column 2
-    EXPECT_THAT(mean_over_places(values, frame, lattice, {{0, 0, 0}}), ElementsAre(testing::DoubleNear(30, 1e-12)));
+    const LabelVolume image{{4, 2, 1}, {1, 1, 0, 0, 2, 2, 0, 0}};
+    const auto mean = [&](int label) { return mean_over_places(values, image, label, frame, lattice, {{0, 0, 0}}); };
+    EXPECT_THAT(mean(1), ElementsAre(testing::DoubleNear((0 * 0.5 + 10) / 1.5, 1e-12))) << "its own pixels";
+    EXPECT_THAT(mean(2), ElementsAre(testing::DoubleNear((40 * 0.5 + 50) / 1.5, 1e-12)));
+    EXPECT_THAT(mean(3), ElementsAre(testing::DoubleNear(30, 1e-12))) << "all, where it has none";
     EXPECT_EQ(value_at(values, frame, 2, {2.5, 1.5, 0}), 60);
     EXPECT_EQ(value_at(values, frame, 2, {-9, 9, 0}), 40) << "the nearest pixel";
 }

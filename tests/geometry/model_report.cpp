@@ -128,6 +128,21 @@ TEST(ModelReport, EllipsesAtDifferentRatiosOfPixelsToParticles) {
 
 // === Overlaps
 
+TEST(Touching, BodiesOfStraightSidesShareNoPlaces) {
+    Scene scene = unit_scene(8); // places of 0.5 m, with centres at 0.25, 0.75, …
+    const auto body = [](const std::string& name, const ShapeSpec& shape) {
+        return BodySpec{name, "steel", {}, shape, {}, 2};
+    };
+    scene.bodies = {body("left", Polygon{{{1, 1}, {4.25, 1}, {4.25, 5.25}, {1, 5.25}}, {}}),
+                    body("right", Polygon{{{4.25, 1}, {7, 1}, {7, 5.25}, {4.25, 5.25}}, {}}),
+                    body("top", Box{{1, 5.25, 0}, {7, 7, 0}})};
+    scene.bodies[2].arrangement = Arrangement::grid;
+    EXPECT_THAT(test::problems(scene), testing::IsEmpty());
+    EXPECT_EQ(build_model(scene, "scene.json").size(), 12u * 12u);
+    for (BodySpec& each : scene.bodies) each.fill = Fill::covered_fraction;
+    EXPECT_THAT(test::problems(scene), testing::IsEmpty());
+}
+
 TEST(OverlapSettled, FirstOrLastHasThePlace) {
     Scene scene = unit_scene(8);
     scene.bodies = {{"left", "steel", {}, Disk{{3, 4, 0}, 2}, {}, 2},
