@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 namespace abut::formats {
 
@@ -39,6 +41,7 @@ public:
         return true;
     }
 
+    TIFF* tiff() const { return tiff_.get(); }
     int slice() const { return slice_; } ///< -1 before the first
     TiffPage page() const { return tiff_page(tiff_.get(), static_cast<double>(size_)); }
     Image pixels() const { return read_tiff_page(tiff_.get(), page()); }
@@ -57,6 +60,18 @@ private:
     }
 };
 
+/// ImageJ writes what does not fit into 4 GB as one page, with the other slices behind it where no page points to.
+int slices_of_imagej(TIFF* tiff) {
+    const char* description = nullptr;
+    if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &description) != 1 || description == nullptr) return 0;
+    const std::string_view text = description, key = "\nimages=";
+    const std::size_t at = text.find(key);
+    int slices = 0;
+    if (text.starts_with("ImageJ=") && at != text.npos)
+        std::from_chars(text.data() + at + key.size(), text.data() + text.size(), slices);
+    return slices;
+}
+
 std::string words(const PictureSize& size) {
     return fmt::format("{} x {} pixels of {} bits", size.width, size.height, size.bits);
 }
@@ -66,6 +81,7 @@ std::string words(const PictureSize& size) {
 StackInfo tiff_info(const std::filesystem::path& file) {
     Pages pages(file);
     PictureSize first;
+    int announced = 0;
     while (pages.next()) {
         PictureSize size;
         try {
@@ -74,12 +90,20 @@ StackInfo tiff_info(const std::filesystem::path& file) {
             if (pages.slice() == 0) throw;
             throw std::runtime_error(fmt::format("{} (its page {})", error.what(), pages.slice() + 1));
         }
-        if (pages.slice() == 0) first = size;
+        if (pages.slice() == 0) {
+            first = size;
+            announced = slices_of_imagej(pages.tiff());
+        }
         if (size != first)
             throw std::runtime_error(fmt::format("is a stack of unequal slices: page {} has {}, the first has {}",
                                                  pages.slice() + 1, words(size), words(first)));
     }
     if (pages.slice() < 0) throw std::runtime_error("holds thumbnails or masks only, no picture");
+    if (pages.slice() == 0 && announced > 1)
+        throw std::runtime_error(
+            fmt::format("is a stack of {} slices of which only the first is a TIFF page, as ImageJ "
+                        "writes more than 4 GB; save it as an image sequence (numbered files)",
+                        announced));
     return {first.width, first.height, pages.slice() + 1, first.bits, {}};
 }
 

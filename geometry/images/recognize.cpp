@@ -30,6 +30,8 @@ constexpr Signature others[] = {
     {4, "jP  \r\n"sv, "JPEG 2000 picture"}, {0, "\xff\x4f\xff\x51"sv, "JPEG 2000 picture"},
     {4, "ftypheic"sv, "HEIC picture"},      {4, "ftypavif"sv, "AVIF picture"},
     {0, "\x89HDF"sv, "HDF5 file"},          {0, "# vtk DataFile"sv, "legacy VTK file"},
+    {344, "n+1\0"sv, "NIfTI volume"},       {344, "ni1\0"sv, "NIfTI volume"},
+    {0, "\x1f\x8b"sv, "gzip-packed file"},  {0, "PK\x03\x04"sv, "ZIP archive"},
 };
 
 } // namespace

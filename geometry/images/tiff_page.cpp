@@ -22,17 +22,27 @@ double largest_ratio(int compression, const TiffPage& page) {
     case COMPRESSION_NONE:
         return 1;
     case COMPRESSION_PACKBITS:
-        return 64; // 128 bytes from 2
+    case COMPRESSION_NEXT:
+    case COMPRESSION_THUNDERSCAN:
+        return 64; // 128 bytes from 2; 63 pixels of 2 or 4 bits from 1
     case COMPRESSION_LZW:
         return 4096; // a code of 9 bits or more is a string shorter than the table
     case COMPRESSION_DEFLATE:
     case COMPRESSION_ADOBE_DEFLATE:
+    case COMPRESSION_PIXARLOG:
         return deflate_ratio;
     case COMPRESSION_JPEG:
         return 1024.0 * page.samples; // as in read_jpeg.cpp
     case COMPRESSION_LZMA:
     case COMPRESSION_ZSTD:
         return 65536;
+    // Pieces of one colour take next to nothing; larger ones than this nobody makes.
+    case COMPRESSION_WEBP:
+    case COMPRESSION_LERC:
+    case COMPRESSION_JBIG:
+        return 65536;
+    case COMPRESSION_OJPEG:
+        throw std::runtime_error("is a TIFF of an old kind of JPEG compression; save it with LZW or uncompressed");
     // A blank row takes a bit; wider ones than this nobody makes.
     case COMPRESSION_CCITTRLE:
     case COMPRESSION_CCITTRLEW:
