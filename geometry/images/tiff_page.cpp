@@ -29,7 +29,6 @@ double largest_ratio(int compression, const TiffPage& page) {
         return 4096; // a code of 9 bits or more is a string shorter than the table
     case COMPRESSION_DEFLATE:
     case COMPRESSION_ADOBE_DEFLATE:
-    case COMPRESSION_PIXARLOG:
         return deflate_ratio;
     case COMPRESSION_JPEG:
         return 1024.0 * page.samples; // as in read_jpeg.cpp
