@@ -40,6 +40,7 @@ bool attribute_is(vtkXMLDataElement* element, const char* name, const char* valu
 
 std::vector<vtkXMLDataElement*> children(vtkXMLDataElement* parent) {
     std::vector<vtkXMLDataElement*> found;
+    found.reserve(static_cast<std::size_t>(parent->GetNumberOfNestedElements()));
     for (int k = 0; k < parent->GetNumberOfNestedElements(); ++k) found.push_back(parent->GetNestedElement(k));
     return found;
 }
@@ -135,7 +136,7 @@ void check_blocks(BlockHeader header, double array_bytes, std::uint64_t file_siz
     const std::uint64_t blocks = header.word(), size = header.word(), last = header.word();
     // Each block has a word of its own in the header.
     if (blocks == 0 || blocks > file_size / 4) fail("the VTI file cannot have so many blocks");
-    const double whole_blocks = static_cast<double>(last == 0 ? blocks : blocks - 1);
+    const auto whole_blocks = static_cast<double>(last == 0 ? blocks : blocks - 1);
     if (whole_blocks * static_cast<double>(size) + static_cast<double>(last) != array_bytes || last > array_bytes ||
         (blocks > 1 && size > array_bytes))
         fail("the blocks of the VTI file are not as large as its array");
@@ -179,15 +180,15 @@ void check_vti_markup(const std::filesystem::path& file) {
         const std::string_view markup = std::string_view(text).substr(0, binary);
         tags += static_cast<int>(std::count(markup.begin() + static_cast<std::ptrdiff_t>(kept), markup.end(), '<'));
         if (tags > most_tags) fail("a VTI file of a picture does not have so many elements");
-        if (markup.find(declaration) != markup.npos) fail("a VTI file has no document type");
-        if (binary != text.npos) break;
+        if (markup.find(declaration) != std::string_view::npos) fail("a VTI file has no document type");
+        if (binary != std::string_view::npos) break;
     }
     // VTK goes on when the end of a file is missing.
     const std::uintmax_t size = std::filesystem::file_size(file);
     stream.clear();
     stream.seekg(static_cast<std::streamoff>(size - std::min<std::uintmax_t>(size, longest_end)));
     stream.read(part.data(), longest_end);
-    if (std::string_view(part.data(), static_cast<std::size_t>(stream.gcount())).find(end) == end.npos)
+    if (std::string_view(part.data(), static_cast<std::size_t>(stream.gcount())).find(end) == std::string_view::npos)
         throw std::runtime_error("is incomplete: the VTI file ends too early");
 }
 

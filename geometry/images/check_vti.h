@@ -6,8 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
-
-class vtkXMLImageDataReader;
+#include <vtkXMLImageDataReader.h>
 
 namespace abut::formats {
 

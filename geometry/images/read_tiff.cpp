@@ -99,7 +99,7 @@ int slices_of_imagej(TIFF* tiff) {
     const std::string_view text = description, key = "\nimages=";
     const std::size_t at = text.find(key);
     int slices = 0;
-    if (text.starts_with("ImageJ=") && at != text.npos)
+    if (text.starts_with("ImageJ=") && at != std::string_view::npos)
         std::from_chars(text.data() + at + key.size(), text.data() + text.size(), slices);
     return slices;
 }

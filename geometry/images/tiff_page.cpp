@@ -34,8 +34,7 @@ double largest_ratio(int compression, const TiffPage& page) {
         return 1024.0 * page.samples; // as in read_jpeg.cpp
     case COMPRESSION_LZMA:
     case COMPRESSION_ZSTD:
-        return 65536;
-    // Pieces of one colour take next to nothing; larger ones than this nobody makes.
+    // Pieces of one colour take next to nothing in these; larger ones than this nobody makes.
     case COMPRESSION_WEBP:
     case COMPRESSION_LERC:
     case COMPRESSION_JBIG:

@@ -102,7 +102,8 @@ TEST(HostileVti, BlocksThatCannotBe) {
 
 TEST(HostileVti, BlocksOfAppendedData) {
     const Folder folder;
-    for (const bool raw : {false, true}) {
+    for (int kind = 0; kind < 8; ++kind) {
+        const bool raw = (kind & 1) != 0;
         vtkNew<vtkImageData> data;
         data->SetDimensions(40, 30, 5);
         data->AllocateScalars(VTK_UNSIGNED_SHORT, 1);
@@ -114,6 +115,8 @@ TEST(HostileVti, BlocksOfAppendedData) {
         writer->SetInputData(data);
         writer->SetBlockSize(1024);
         writer->SetEncodeAppendedData(raw ? 0 : 1);
+        if ((kind & 2) != 0) writer->SetByteOrderToBigEndian();
+        if ((kind & 4) != 0) writer->SetHeaderTypeToUInt64();
         writer->Write();
         std::size_t slices = 0;
         abut::read_stack(file, 0, 4, [&](int slice, const Image& image) {
