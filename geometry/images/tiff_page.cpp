@@ -37,7 +37,6 @@ double largest_ratio(int compression, const TiffPage& page) {
     // Pieces of one colour take next to nothing in these; larger ones than this nobody makes.
     case COMPRESSION_WEBP:
     case COMPRESSION_LERC:
-    case COMPRESSION_JBIG:
         return 65536;
     case COMPRESSION_OJPEG:
         throw std::runtime_error("is a TIFF of an old kind of JPEG compression; save it with LZW or uncompressed");
@@ -47,6 +46,7 @@ double largest_ratio(int compression, const TiffPage& page) {
     case COMPRESSION_CCITTFAX3:
     case COMPRESSION_CCITTFAX4:
         return std::clamp(page.width, 256, 65536);
+    case COMPRESSION_JBIG: // libtiff 4.5 decodes as many pixels as the compressed data claims, without end
     default:
         throw std::runtime_error("is a TIFF of an unusual compression; save it with LZW or uncompressed");
     }

@@ -44,7 +44,7 @@ void write_tiled(const std::filesystem::path& file, int compression, int photome
     TIFFSetField(tiff.get(), TIFFTAG_IMAGEWIDTH, 40);
     TIFFSetField(tiff.get(), TIFFTAG_IMAGELENGTH, 24);
     TIFFSetField(tiff.get(), TIFFTAG_BITSPERSAMPLE, 8);
-    TIFFSetField(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, photometric == PHOTOMETRIC_YCBCR ? 3 : 1);
+    TIFFSetField(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, photometric == PHOTOMETRIC_MINISBLACK ? 1 : 3);
     TIFFSetField(tiff.get(), TIFFTAG_PHOTOMETRIC, photometric);
     TIFFSetField(tiff.get(), TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
     TIFFSetField(tiff.get(), TIFFTAG_COMPRESSION, compression);
@@ -55,6 +55,21 @@ void write_tiled(const std::filesystem::path& file, int compression, int photome
     for (std::size_t k = 0; k < tile.size(); ++k) tile[k] = static_cast<std::uint8_t>(k * k);
     for (std::uint32_t y = 0; y < 24; y += 16)
         for (std::uint32_t x = 0; x < 40; x += 16) TIFFWriteTile(tiff.get(), tile.data(), x, y, 0, 0);
+}
+
+/// 40 x 24 pixels of 1 bit in one strip.
+void write_bilevel(const std::filesystem::path& file, int compression) {
+    const std::unique_ptr<TIFF, decltype(&TIFFClose)> tiff(TIFFOpen(file.c_str(), "w"), TIFFClose);
+    TIFFSetField(tiff.get(), TIFFTAG_IMAGEWIDTH, 40);
+    TIFFSetField(tiff.get(), TIFFTAG_IMAGELENGTH, 24);
+    TIFFSetField(tiff.get(), TIFFTAG_BITSPERSAMPLE, 1);
+    TIFFSetField(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, 1);
+    TIFFSetField(tiff.get(), TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISWHITE);
+    TIFFSetField(tiff.get(), TIFFTAG_COMPRESSION, compression);
+    TIFFSetField(tiff.get(), TIFFTAG_ROWSPERSTRIP, 24);
+    Bytes rows(24 * 5);
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = static_cast<std::uint8_t>(k * k);
+    TIFFWriteEncodedStrip(tiff.get(), 0, rows.data(), static_cast<tmsize_t>(rows.size()));
 }
 
 void write_vti(const std::filesystem::path& file, int mode, bool compressed) {
@@ -92,13 +107,21 @@ std::vector<Bytes> seeds_of(const std::string& format, const Folder& folder) {
         abut::write_stack(
             3, [](int slice) { return pattern(1, 8, slice); }, file);
         keep();
-        for (const int compression :
-             {COMPRESSION_NONE, COMPRESSION_PACKBITS, COMPRESSION_ADOBE_DEFLATE, COMPRESSION_LZMA}) {
+        for (const int compression : {COMPRESSION_NONE, COMPRESSION_PACKBITS, COMPRESSION_ADOBE_DEFLATE,
+                                      COMPRESSION_LZMA, COMPRESSION_ZSTD, COMPRESSION_LERC}) {
             write_tiled(file, compression, PHOTOMETRIC_MINISBLACK);
             keep();
         }
         write_tiled(file, COMPRESSION_JPEG, PHOTOMETRIC_YCBCR);
         keep();
+        write_tiled(file, COMPRESSION_WEBP, PHOTOMETRIC_RGB);
+        keep();
+        for (const int compression : {COMPRESSION_CCITTRLE, COMPRESSION_CCITTFAX3, COMPRESSION_CCITTFAX4}) {
+            write_bilevel(file, compression);
+            keep();
+        }
+        seeds.push_back(test::tiff(4, 2, 2, 1, 1, {0, 0x1b, 0, 0xe4}, 0, {}, -1, 0, COMPRESSION_NEXT));
+        seeds.push_back(test::tiff(2, 2, 4, 1, 1, {0xc1, 0xcf, 0xc7, 0x01}, 0, {}, -1, 0, COMPRESSION_THUNDERSCAN));
         seeds.push_back(test::tiff(3, 2, 8, 1, 3, {1, 2, 0, 0, 1, 2}, 0, std::vector<std::uint16_t>(768, 257)));
     }
     if (format == "jpg") {
