@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -48,6 +50,38 @@ std::vector<Numbered> matching(const std::filesystem::path& folder, std::string_
     return found;
 }
 
+/// Names of the folder that come near to a pattern which matches none, to show the slip: another extension, capitals.
+std::string near_matches(const std::filesystem::path& folder, const std::string& before, const std::string& after) {
+    const auto lower = [](std::string text) {
+        std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+        return text;
+    };
+    const std::string start = lower(before), end = lower(after);
+    std::array<std::vector<std::string>, 3> names; // nearest first
+    std::error_code error;
+    for (const std::filesystem::directory_entry& entry :
+         std::filesystem::directory_iterator(folder.empty() ? "." : folder, error)) {
+        const std::string name = entry.path().filename().string(), text = lower(name);
+        const bool starts = text.starts_with(start), ends = text.ends_with(end);
+        if (starts && ends)
+            names[0].push_back(name);
+        else if (starts && !start.empty())
+            names[1].push_back(name);
+        else if (ends && !end.empty())
+            names[2].push_back(name);
+    }
+    constexpr std::size_t most_shown = 3;
+    for (std::vector<std::string>& near : names) {
+        if (near.empty()) continue;
+        std::sort(near.begin(), near.end());
+        const std::size_t shown = std::min(near.size(), most_shown);
+        const std::string more = near.size() > shown ? fmt::format(" and {} more", near.size() - shown) : "";
+        near.resize(shown);
+        return fmt::format("; the folder has {}{}", fmt::join(near, ", "), more);
+    }
+    return "; the folder has none that comes near";
+}
+
 } // namespace
 
 bool has_star(const std::filesystem::path& file) {
@@ -61,7 +95,9 @@ std::vector<std::filesystem::path> numbered_files(const std::filesystem::path& p
         throw std::runtime_error("must have a single \"*\", in the name of the file and not in its folder");
     const std::string before = name.substr(0, star), after = name.substr(star + 1);
     const std::vector<Numbered> found = matching(pattern.parent_path(), before, after);
-    if (found.empty()) throw std::runtime_error("matches no file (\"*\" stands for digits only)");
+    if (found.empty())
+        throw std::runtime_error("matches no file (\"*\" stands for digits only)" +
+                                 near_matches(pattern.parent_path(), before, after));
     std::vector<std::filesystem::path> files;
     for (std::size_t k = 0; k < found.size(); ++k) {
         if (k > 0 && found[k].number == found[k - 1].number)

@@ -12,8 +12,8 @@ bool has_star(const std::filesystem::path& file);
 
 /// The files in the order of their numbers, which follow each other without gaps.
 /// \param pattern with one "*" in the file's name, which stands for one digit or more
-/// \throws std::runtime_error whose message continues `image "PATTERN" ...`: no file matches, a number is missing
-/// (names it), two files have the same number
+/// \throws std::runtime_error whose message continues `image "PATTERN" ...`: no file matches (names those that come
+/// near), a number is missing (names it), two files have the same number
 std::vector<std::filesystem::path> numbered_files(const std::filesystem::path& pattern);
 
 } // namespace abut

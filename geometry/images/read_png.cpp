@@ -87,10 +87,31 @@ void read_header(Source& source, const Png& png) {
     // Nothing but the pixels, the palette and its transparency.
     png_set_keep_unknown_chunks(png.read(), PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_info(png.read(), png.info());
-    png_set_expand(png.read()); // palettes to RGB, fewer bits to 8, tRNS to alpha
+    if (png_get_color_type(png.read(), png.info()) == PNG_COLOR_TYPE_PALETTE)
+        png_set_packing(png.read()); // a byte for each number of a colour
+    else
+        png_set_expand(png.read()); // fewer bits to 8, tRNS to alpha
     if constexpr (std::endian::native == std::endian::little) png_set_swap(png.read());
     png_set_interlace_handling(png.read());
     png_read_update_info(png.read(), png.info());
+}
+
+/// Puts colours for their numbers. libpng itself shows numbers that are not in the palette black.
+Image with_palette(const Image& numbers, const Png& png) {
+    png_colorp colours = nullptr;
+    png_bytep alpha = nullptr;
+    int count = 0, alpha_count = 0;
+    png_get_PLTE(png.read(), png.info(), &colours, &count);
+    if (png_get_tRNS(png.read(), png.info(), &alpha, &alpha_count, nullptr) == 0) alpha_count = 0;
+    Image image{numbers.width, numbers.height, alpha_count > 0 ? 4 : 3, {}};
+    image.pixels.reserve(numbers.pixels.size() * image.channels);
+    for (const std::uint16_t number : numbers.pixels) {
+        if (number >= count) throw std::runtime_error("is damaged: a pixel's colour is not in the palette");
+        const png_color& colour = colours[number];
+        image.pixels.insert(image.pixels.end(), {colour.red, colour.green, colour.blue});
+        if (alpha_count > 0) image.pixels.push_back(number < alpha_count ? alpha[number] : 255);
+    }
+    return image;
 }
 
 void copy_row(const std::uint8_t* row, std::size_t values, int bits, std::uint16_t* target) {
@@ -141,6 +162,7 @@ Image read_png(const Bytes& bytes) {
         png_read_end(png.read(), nullptr);
     });
     if (!whole) throw std::runtime_error("is damaged or incomplete");
+    if (bytes[25] == PNG_COLOR_TYPE_PALETTE) return with_palette(image, png);
     return image;
 }
 

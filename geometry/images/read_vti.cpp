@@ -1,3 +1,4 @@
+#include "geometry/images/check_vti.h"
 #include "geometry/images/formats.h"
 
 #include <fmt/format.h>
@@ -12,13 +13,13 @@
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLDataParser.h>
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -44,14 +45,7 @@ private:
     throw std::runtime_error("is damaged or incomplete");
 }
 
-/// One array of the file.
-struct Array {
-    std::string name;
-    int components = 0;
-    int type = 0; ///< of VTK
-    bool on_cells = false;
-    bool active = false; ///< the active scalars
-};
+using Array = VtiArray;
 
 std::vector<Array> arrays_of(vtkInformation* output) {
     std::vector<Array> arrays;
@@ -115,34 +109,35 @@ void check_kind(const Array& array) {
                                              array.components, array.name));
 }
 
-/// The most values that a byte of the file can become: by its compressor, which the first line names; a plain file
-/// takes at least a byte for each.
-double largest_ratio(const std::filesystem::path& file) {
-    const Bytes start = bytes_of(file, 4096);
-    const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
-    if (text.find("compressor") == text.npos) return 1;
-    if (text.find("vtkZLibDataCompressor") != text.npos) return deflate_ratio;
-    if (text.find("vtkLZ4DataCompressor") != text.npos) return 256;
+/// The most values that a byte of the file can become, by its compressor; a plain file takes at least a byte for each.
+double largest_ratio(vtkXMLImageDataReader& reader) {
+    vtkXMLDataParser* parser = reader.GetXMLParser();
+    if (parser == nullptr || parser->GetRootElement() == nullptr) fail();
+    const char* compressor = parser->GetRootElement()->GetAttribute("compressor");
+    const std::string_view name = compressor == nullptr ? "" : compressor;
+    if (name.empty()) return 1;
+    if (name == "vtkZLibDataCompressor") return deflate_ratio;
+    if (name == "vtkLZ4DataCompressor") return 256;
     return 65536;
 }
 
-/// VTK goes on when the end of a file is missing.
-void check_end(const std::filesystem::path& file) {
-    constexpr std::size_t longest = 256; // end tag and some white space
-    std::ifstream stream(file, std::ios::binary);
-    const std::uintmax_t size = std::filesystem::file_size(file);
-    stream.seekg(static_cast<std::streamoff>(size - std::min<std::uintmax_t>(size, longest)));
-    const std::string end{std::istreambuf_iterator<char>(stream), {}};
-    if (end.find("</VTKFile>") == end.npos) throw std::runtime_error("is incomplete: the VTI file ends too early");
+/// The rows of a volume whose axes are turned are not those that ParaView shows.
+void check_direction(vtkInformation* output) {
+    if (!output->Has(vtkDataObject::DIRECTION())) return;
+    const double* direction = output->Get(vtkDataObject::DIRECTION());
+    for (int k = 0; k < 9; ++k)
+        if (direction[k] != (k % 4 == 0 ? 1 : 0))
+            throw std::runtime_error("has turned axes (Direction); save it with axes along x, y and z");
 }
 
 /// A volume of which one slice at a time is read.
 class Volume {
 public:
     explicit Volume(const std::filesystem::path& file) {
-        check_end(file);
+        check_vti_markup(file);
         const QuietVtk quiet;
         reader_->SetFileName(file.c_str());
+        reader_->SetActiveTimeDataArrayName(nullptr); // else VTK reads it at once, as long as it claims to be
         reader_->UpdateInformation();
         vtkInformation* output = reader_->GetOutputInformation(0);
         if (reader_->GetErrorCode() != vtkErrorCode::NoError || output == nullptr ||
@@ -160,7 +155,7 @@ public:
         check_pixels(count[2], 1);
         check_ratio(static_cast<double>(count[0]) * static_cast<double>(count[1]) * static_cast<double>(count[2]) *
                         array_.components,
-                    static_cast<double>(std::filesystem::file_size(file)), largest_ratio(file));
+                    static_cast<double>(std::filesystem::file_size(file)), largest_ratio(*reader_));
         info_ = {static_cast<int>(count[0]), static_cast<int>(count[1]), static_cast<int>(count[2]),
                  array_.type == VTK_UNSIGNED_CHAR ? 8 : 16, std::array<double, 3>{1, 1, 1}};
         if (output->Has(vtkDataObject::SPACING())) output->Get(vtkDataObject::SPACING(), info_.spacing->data());
@@ -171,6 +166,10 @@ public:
         reader_->GetCellDataArraySelection()->DisableAllArrays();
         (array_.on_cells ? reader_->GetCellDataArraySelection() : reader_->GetPointDataArraySelection())
             ->EnableArray(array_.name.c_str());
+        reader_->UpdateInformation(); // the choice of arrays has VTK parse the file again
+        if (reader_->GetErrorCode() != vtkErrorCode::NoError) fail();
+        check_direction(output);
+        check_vti_pieces(*reader_, file, array_, extent_);
     }
 
     const StackInfo& info() const { return info_; }

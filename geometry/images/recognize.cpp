@@ -30,6 +30,8 @@ constexpr Signature others[] = {
     {4, "jP  \r\n"sv, "JPEG 2000 picture"}, {0, "\xff\x4f\xff\x51"sv, "JPEG 2000 picture"},
     {4, "ftypheic"sv, "HEIC picture"},      {4, "ftypavif"sv, "AVIF picture"},
     {0, "\x89HDF"sv, "HDF5 file"},          {0, "# vtk DataFile"sv, "legacy VTK file"},
+    {344, "n+1\0"sv, "NIfTI volume"},       {344, "ni1\0"sv, "NIfTI volume"},
+    {0, "\x1f\x8b"sv, "gzip-packed file"},  {0, "PK\x03\x04"sv, "ZIP archive"},
 };
 
 } // namespace
@@ -61,14 +63,16 @@ Format format_of(const std::filesystem::path& file) {
     for (const std::string_view tiff : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv})
         if (text.starts_with(tiff)) return Format::tiff;
     if (text.starts_with("BM"sv)) return Format::bmp;
-    if (text.find("<VTKFile"sv) != text.npos) {
-        if (text.find("\"ImageData\""sv) != text.npos || text.find("'ImageData'"sv) != text.npos) return Format::vti;
+    if (text.find("<VTKFile"sv) != std::string_view::npos) {
+        if (text.find("\"ImageData\""sv) != std::string_view::npos ||
+            text.find("'ImageData'"sv) != std::string_view::npos)
+            return Format::vti;
         throw std::runtime_error("is a VTK file of another kind; save it as image data (.vti)");
     }
     for (const Signature& other : others)
         if (text.size() > other.at && text.substr(other.at).starts_with(other.bytes))
             throw std::runtime_error(fmt::format("is a {}; save it as PNG or TIFF", other.name));
-    if (text.find("<svg"sv) != text.npos) throw std::runtime_error("is an SVG drawing; save it as PNG");
+    if (text.find("<svg"sv) != std::string_view::npos) throw std::runtime_error("is an SVG drawing; save it as PNG");
     throw std::runtime_error("is not a PNG, BMP, TIFF, JPEG or VTI picture");
 }
 

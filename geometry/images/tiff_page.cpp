@@ -22,7 +22,9 @@ double largest_ratio(int compression, const TiffPage& page) {
     case COMPRESSION_NONE:
         return 1;
     case COMPRESSION_PACKBITS:
-        return 64; // 128 bytes from 2
+    case COMPRESSION_NEXT:
+    case COMPRESSION_THUNDERSCAN:
+        return 64; // 128 bytes from 2; 63 pixels of 2 or 4 bits from 1
     case COMPRESSION_LZW:
         return 4096; // a code of 9 bits or more is a string shorter than the table
     case COMPRESSION_DEFLATE:
@@ -32,13 +34,19 @@ double largest_ratio(int compression, const TiffPage& page) {
         return 1024.0 * page.samples; // as in read_jpeg.cpp
     case COMPRESSION_LZMA:
     case COMPRESSION_ZSTD:
+    // Pieces of one colour take next to nothing in these; larger ones than this nobody makes.
+    case COMPRESSION_WEBP:
+    case COMPRESSION_LERC:
         return 65536;
+    case COMPRESSION_OJPEG:
+        throw std::runtime_error("is a TIFF of an old kind of JPEG compression; save it with LZW or uncompressed");
     // A blank row takes a bit; wider ones than this nobody makes.
     case COMPRESSION_CCITTRLE:
     case COMPRESSION_CCITTRLEW:
     case COMPRESSION_CCITTFAX3:
     case COMPRESSION_CCITTFAX4:
         return std::clamp(page.width, 256, 65536);
+    case COMPRESSION_JBIG: // libtiff 4.5 decodes as many pixels as the compressed data claims, without end
     default:
         throw std::runtime_error("is a TIFF of an unusual compression; save it with LZW or uncompressed");
     }

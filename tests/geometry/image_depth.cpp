@@ -32,6 +32,7 @@ struct TiffKind {
     bool tiled = false, separate = false;
     int format = SAMPLEFORMAT_UINT, orientation = ORIENTATION_TOPLEFT;
     const char* mode = "w";
+    int strip = 5; ///< its rows
 };
 
 constexpr int width = 37, height = 29; // tiles of 16 stick out, strips of 5 rows too
@@ -69,6 +70,7 @@ void write_tiff(const std::filesystem::path& file, const TiffKind& kind) {
     TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, kind.photometric);
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, kind.compression);
     TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, kind.format);
+    if (kind.compression == COMPRESSION_WEBP) TIFFSetField(tiff, TIFFTAG_WEBP_LOSSLESS, 1);
     TIFFSetField(tiff, TIFFTAG_ORIENTATION, kind.orientation);
     TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, kind.separate ? PLANARCONFIG_SEPARATE : PLANARCONFIG_CONTIG);
     std::array<Values, 3> map;
@@ -78,12 +80,12 @@ void write_tiff(const std::filesystem::path& file, const TiffKind& kind) {
                 map[c].push_back(static_cast<std::uint16_t>(((k * 5 + 70 * static_cast<int>(c)) & 255) * 257));
         TIFFSetField(tiff, TIFFTAG_COLORMAP, map[0].data(), map[1].data(), map[2].data());
     }
-    constexpr int tile = 16, strip = 5;
+    constexpr int tile = 16;
     if (kind.tiled) {
         TIFFSetField(tiff, TIFFTAG_TILEWIDTH, tile);
         TIFFSetField(tiff, TIFFTAG_TILELENGTH, tile);
     } else {
-        TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, strip);
+        TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, kind.strip);
     }
     const int planes = kind.separate ? kind.samples : 1, samples = kind.separate ? 1 : kind.samples;
     for (int plane = 0; plane < planes; ++plane)
@@ -118,7 +120,8 @@ void expect_read(const TiffKind& kind) {
                                     << kind.tiled << ", separate " << kind.separate << ", " << kind.mode);
     const Folder folder;
     write_tiff(folder.path / "a.tif", kind);
-    const Image image = read_image(folder.path / "a.tif");
+    Image image;
+    ASSERT_EQ(message_of([&] { image = read_image(folder.path / "a.tif"); }), "");
     ASSERT_EQ(image.width, width);
     ASSERT_EQ(image.height, height);
     ASSERT_EQ(image.channels, kind.photometric == PHOTOMETRIC_PALETTE ? 3 : kind.samples);
@@ -156,6 +159,21 @@ TEST(ImageDepth, PngColourKeyIsTransparency) {
     EXPECT_EQ(read(png(3, 8, 0, {{7, 8, 7}}, png_chunk("tRNS", {0, 9}))).pixels, (Values{7, 8, 7}));
 }
 
+TEST(ImageDepth, PngPaletteWithTransparencyAndWithoutSomeColours) {
+    const Bytes palette = png_chunk("PLTE", {1, 2, 3, 4, 5, 6});
+    Bytes opaque = palette, clear = palette;
+    append(opaque, png_chunk("tRNS", {255}));
+    append(clear, png_chunk("tRNS", {255, 254}));
+    for (const int bits : {1, 2, 4, 8}) { // 0 1, in the topmost bits of a row
+        const Bytes row = bits == 8 ? Bytes{0, 1} : Bytes{static_cast<std::uint8_t>(1 << (8 - 2 * bits))};
+        EXPECT_EQ(read(png(2, bits, 3, {row}, palette)).pixels, (Values{1, 2, 3, 4, 5, 6})) << bits;
+        EXPECT_EQ(read(png(2, bits, 3, {row}, opaque)).pixels, (Values{1, 2, 3, 4, 5, 6})) << bits;
+        EXPECT_THAT(error_for(png(2, bits, 3, {row}, clear)), HasSubstr("has transparency at 1 pixel;")) << bits;
+    }
+    EXPECT_THAT(error_for(png(3, 8, 3, {{0, 1, 2}}, palette)), HasSubstr("a pixel's colour is not in the palette"));
+    EXPECT_THAT(error_for(png(2, 4, 3, {{0x0f}}, palette)), HasSubstr("a pixel's colour is not in the palette"));
+}
+
 TEST(ImageDepth, InterlacedPng) { // 3 x 2 pixels in the passes of Adam7, by hand
     Bytes file = png(3, 8, 0, {{1, 2, 3}, {4, 5, 6}});
     Bytes header(file.begin() + 16, file.begin() + 29);
@@ -190,7 +208,75 @@ TEST(ImageDepth, TiffOfEveryDepthLayoutAndCompression) {
         big_endian.mode = "w8";
         expect_read(big_endian);
     }
-    expect_read({1, 1, PHOTOMETRIC_MINISWHITE, COMPRESSION_CCITTFAX4});
+    for (const int compression :
+         {COMPRESSION_CCITTRLE, COMPRESSION_CCITTFAX3, // libtiff 4.5 cannot read the RLEW that it writes
+
+          COMPRESSION_CCITTFAX4}) {
+        ASSERT_TRUE(TIFFIsCODECConfigured(static_cast<std::uint16_t>(compression))) << compression;
+        expect_read({1, 1, PHOTOMETRIC_MINISWHITE, compression});
+    }
+    for (const bool tiled : {false, true})
+        for (const int bits : {8, 16})
+            for (const int samples : {1, 3})
+                for (const int compression :
+                     {COMPRESSION_DEFLATE, COMPRESSION_LZMA, COMPRESSION_ZSTD, COMPRESSION_LERC, COMPRESSION_WEBP}) {
+                    ASSERT_TRUE(TIFFIsCODECConfigured(static_cast<std::uint16_t>(compression))) << compression;
+                    if (compression == COMPRESSION_WEBP && (bits != 8 || samples != 3)) continue; // all that it holds
+                    expect_read(
+                        {bits, samples, samples == 1 ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB, compression, tiled});
+                }
+}
+
+TEST(ImageDepth, TiffOfCompressionsThatLibtiffOnlyReads) { // made by hand
+    // NeXT: 2 bits; 0 and a whole row as it is. Shades 0 1 2 3 / 3 2 1 0.
+    EXPECT_EQ(read(test::tiff(4, 2, 2, 1, 1, {0, 0b00011011, 0, 0b11100100}, 0, {}, -1, 0, COMPRESSION_NEXT)).pixels,
+              (Values{0, 85, 170, 255, 255, 170, 85, 0}));
+    // ThunderScan: 4 bits; 0xc0 + a pixel as it is; 0x00 + n repeats the last one n times. 1 15 / 7 7.
+    EXPECT_EQ(read(test::tiff(2, 2, 4, 1, 1, {0xc1, 0xcf, 0xc7, 0x01}, 0, {}, -1, 0, COMPRESSION_THUNDERSCAN)).pixels,
+              (Values{17, 255, 119, 119}));
+    EXPECT_THAT(error_for(test::tiff(2, 1, 8, 1, 1, {1, 2}, 0, {}, -1, 0, COMPRESSION_OJPEG)),
+                HasSubstr("is a TIFF of an old kind of JPEG compression"));
+    for (const int compression : {COMPRESSION_PIXARLOG, COMPRESSION_JBIG})
+        EXPECT_THAT(error_for(test::tiff(2, 1, 8, 1, 1, {1, 2}, 0, {}, -1, 0, compression)),
+                    HasSubstr("is a TIFF of an unusual compression"));
+}
+
+TEST(ImageDepth, TiffWhoseDamageLibtiffOnlyWarnsOf) {
+    const Folder folder;
+    const auto damaged = [&](TiffKind kind, const std::function<void(Bytes&)>& damage) {
+        kind.strip = height;
+        const std::filesystem::path file = folder.path / "a.tif";
+        write_tiff(file, kind);
+        EXPECT_EQ(message_of([&] { read_image(file); }), "");
+        std::uint64_t at = 0, size = 0;
+        {
+            const std::unique_ptr<TIFF, decltype(&TIFFClose)> tiff(TIFFOpen(file.c_str(), "r"), TIFFClose);
+            at = TIFFGetStrileOffset(tiff.get(), 0);
+            size = TIFFGetStrileByteCount(tiff.get(), 0);
+        }
+        std::ifstream stream(file, std::ios::binary);
+        Bytes bytes{std::istreambuf_iterator<char>(stream), {}};
+        Bytes strip(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                    bytes.begin() + static_cast<std::ptrdiff_t>(at + size));
+        damage(strip);
+        std::copy(strip.begin(), strip.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+        testing::internal::CaptureStderr();
+        EXPECT_THAT(message_of([&] { read_image(folder.write("b.tif", bytes)); }), HasSubstr("is damaged"))
+            << kind.compression;
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    };
+    const auto second_half = [](std::uint8_t value) {
+        return [value](Bytes& strip) {
+            std::fill(strip.begin() + static_cast<std::ptrdiff_t>(strip.size() / 2), strip.end(), value);
+        };
+    };
+    damaged({1, 1, PHOTOMETRIC_MINISWHITE, COMPRESSION_CCITTRLE}, second_half(0x35));
+    damaged({1, 1, PHOTOMETRIC_MINISWHITE, COMPRESSION_CCITTFAX3}, second_half(0x35));
+    damaged({1, 1, PHOTOMETRIC_MINISWHITE, COMPRESSION_CCITTFAX4}, second_half(0x35));
+    damaged({8, 1, PHOTOMETRIC_MINISBLACK, COMPRESSION_JPEG}, [](Bytes& strip) { // ends in the middle
+        strip[strip.size() / 2] = 0xff;
+        strip[strip.size() / 2 + 1] = 0xd9;
+    });
 }
 
 TEST(ImageDepth, TiffOfEveryOrientation) {

@@ -1,6 +1,6 @@
 // Damaged and lying files: seeds of every format, mutated at random (seeded). Each must give a picture or a
 // std::runtime_error, in bounded time and memory, with nothing printed.
-#include "support.h"
+#include "image_hostile_support.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +10,6 @@
 #include <vtkNew.h>
 #include <vtkXMLImageDataWriter.h>
 
-#include <sys/resource.h>
-
-#include <chrono>
 #include <cstring>
 #include <memory>
 #include <random>
@@ -24,7 +21,6 @@ using testing::HasSubstr;
 namespace {
 
 using Random = std::mt19937;
-using Clock = std::chrono::steady_clock;
 
 std::size_t below(Random& random, std::size_t count) {
     return random() % count;
@@ -48,7 +44,7 @@ void write_tiled(const std::filesystem::path& file, int compression, int photome
     TIFFSetField(tiff.get(), TIFFTAG_IMAGEWIDTH, 40);
     TIFFSetField(tiff.get(), TIFFTAG_IMAGELENGTH, 24);
     TIFFSetField(tiff.get(), TIFFTAG_BITSPERSAMPLE, 8);
-    TIFFSetField(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, photometric == PHOTOMETRIC_YCBCR ? 3 : 1);
+    TIFFSetField(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, photometric == PHOTOMETRIC_MINISBLACK ? 1 : 3);
     TIFFSetField(tiff.get(), TIFFTAG_PHOTOMETRIC, photometric);
     TIFFSetField(tiff.get(), TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
     TIFFSetField(tiff.get(), TIFFTAG_COMPRESSION, compression);
@@ -59,6 +55,21 @@ void write_tiled(const std::filesystem::path& file, int compression, int photome
     for (std::size_t k = 0; k < tile.size(); ++k) tile[k] = static_cast<std::uint8_t>(k * k);
     for (std::uint32_t y = 0; y < 24; y += 16)
         for (std::uint32_t x = 0; x < 40; x += 16) TIFFWriteTile(tiff.get(), tile.data(), x, y, 0, 0);
+}
+
+/// 40 x 24 pixels of 1 bit in one strip.
+void write_bilevel(const std::filesystem::path& file, int compression) {
+    const std::unique_ptr<TIFF, decltype(&TIFFClose)> tiff(TIFFOpen(file.c_str(), "w"), TIFFClose);
+    TIFFSetField(tiff.get(), TIFFTAG_IMAGEWIDTH, 40);
+    TIFFSetField(tiff.get(), TIFFTAG_IMAGELENGTH, 24);
+    TIFFSetField(tiff.get(), TIFFTAG_BITSPERSAMPLE, 1);
+    TIFFSetField(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, 1);
+    TIFFSetField(tiff.get(), TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISWHITE);
+    TIFFSetField(tiff.get(), TIFFTAG_COMPRESSION, compression);
+    TIFFSetField(tiff.get(), TIFFTAG_ROWSPERSTRIP, 24);
+    Bytes rows(24 * 5);
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = static_cast<std::uint8_t>(k * k);
+    TIFFWriteEncodedStrip(tiff.get(), 0, rows.data(), static_cast<tmsize_t>(rows.size()));
 }
 
 void write_vti(const std::filesystem::path& file, int mode, bool compressed) {
@@ -96,13 +107,21 @@ std::vector<Bytes> seeds_of(const std::string& format, const Folder& folder) {
         abut::write_stack(
             3, [](int slice) { return pattern(1, 8, slice); }, file);
         keep();
-        for (const int compression :
-             {COMPRESSION_NONE, COMPRESSION_PACKBITS, COMPRESSION_ADOBE_DEFLATE, COMPRESSION_LZMA}) {
+        for (const int compression : {COMPRESSION_NONE, COMPRESSION_PACKBITS, COMPRESSION_ADOBE_DEFLATE,
+                                      COMPRESSION_LZMA, COMPRESSION_ZSTD, COMPRESSION_LERC}) {
             write_tiled(file, compression, PHOTOMETRIC_MINISBLACK);
             keep();
         }
         write_tiled(file, COMPRESSION_JPEG, PHOTOMETRIC_YCBCR);
         keep();
+        write_tiled(file, COMPRESSION_WEBP, PHOTOMETRIC_RGB);
+        keep();
+        for (const int compression : {COMPRESSION_CCITTRLE, COMPRESSION_CCITTFAX3, COMPRESSION_CCITTFAX4}) {
+            write_bilevel(file, compression);
+            keep();
+        }
+        seeds.push_back(test::tiff(4, 2, 2, 1, 1, {0, 0x1b, 0, 0xe4}, 0, {}, -1, 0, COMPRESSION_NEXT));
+        seeds.push_back(test::tiff(2, 2, 4, 1, 1, {0xc1, 0xcf, 0xc7, 0x01}, 0, {}, -1, 0, COMPRESSION_THUNDERSCAN));
         seeds.push_back(test::tiff(3, 2, 8, 1, 3, {1, 2, 0, 0, 1, 2}, 0, std::vector<std::uint16_t>(768, 257)));
     }
     if (format == "jpg") {
@@ -167,17 +186,59 @@ void change_tag(Bytes& tiff, Random& random) {
     set_extreme(tiff, at + fields[below(random, 6)], random);
 }
 
+/// Gives an attribute of a VTI file's markup another value.
+void change_attribute(Bytes& vti, Random& random) {
+    constexpr const char* values[] = {"",
+                                      "0",
+                                      "-1",
+                                      "1",
+                                      "2147483647",
+                                      "-2147483648",
+                                      "99999999999999999999",
+                                      "1e9",
+                                      "nan",
+                                      "UInt8",
+                                      "UInt64",
+                                      "Float64",
+                                      "String",
+                                      "Int8",
+                                      "ascii",
+                                      "raw",
+                                      "binary",
+                                      "base64",
+                                      "appended",
+                                      "ImageData",
+                                      "0 1 0 1 0 1",
+                                      "0 11 0 9 0 2147483647",
+                                      "BigEndian",
+                                      "vtkLZ4DataCompressor",
+                                      "vtkLZMADataCompressor"};
+    const std::string text(vti.begin(), vti.end());
+    const std::string_view markup = std::string_view(text).substr(0, text.find("<AppendedData"));
+    std::vector<std::size_t> starts;
+    for (std::size_t at = markup.find("=\""); at != markup.npos; at = markup.find("=\"", at + 1))
+        starts.push_back(at + 2);
+    if (starts.empty()) return;
+    const std::size_t start = starts[below(random, starts.size())], end = text.find('"', start);
+    if (end == text.npos) return;
+    const std::string changed = text.substr(0, start) + values[below(random, std::size(values))] + text.substr(end);
+    vti.assign(changed.begin(), changed.end());
+}
+
 Bytes mutated(Bytes bytes, const std::string& format, Random& random) {
-    const std::size_t kind = below(random, 5), size = bytes.size();
+    const std::size_t kind = below(random, 5);
+    std::size_t size = bytes.size();
     if (kind == 0) bytes.resize(1 + below(random, size - 1));
     const std::size_t changes = 1 + below(random, 4);
     for (std::size_t k = 0; k < changes && kind != 0; ++k) {
+        size = bytes.size();
         if (kind == 1) bytes[below(random, size)] = static_cast<std::uint8_t>(random());
         if (kind == 2) bytes[below(random, size)] ^= static_cast<std::uint8_t>(1U << below(random, 8));
         if (kind == 3)
             set_extreme(bytes, below(random, format == "vti" ? size : std::min<std::size_t>(size, 200)), random);
         if (kind == 4 && format == "tif") change_tag(bytes, random);
-        if (kind == 4 && format == "vti") { // another digit somewhere
+        if (kind == 4 && format == "vti" && k % 2 == 0) change_attribute(bytes, random);
+        if (kind == 4 && format == "vti" && k % 2 == 1) { // another digit somewhere
             for (std::size_t tries = 0; tries < 50; ++tries) {
                 std::uint8_t& byte = bytes[below(random, size)];
                 if (byte < '0' || byte > '9') continue;
@@ -189,13 +250,6 @@ Bytes mutated(Bytes bytes, const std::string& format, Random& random) {
     }
     if (format == "png" && random() % 4 != 0) return with_check_sums(bytes);
     return bytes;
-}
-
-/// Largest memory of this process until now [MiB].
-long peak_memory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss / 1024;
 }
 
 /// Reads a file as a picture and as a stack. \return whether there was a picture
@@ -231,23 +285,23 @@ TEST_P(HostileImage, GivesAPictureOrAnError) {
     const std::size_t cases = GetParam() == "vti" ? 1500 : 4000;
     std::size_t good = 0;
     double longest = 0;
-    const long before = peak_memory();
+    const MemoryGrowth growth;
     testing::internal::CaptureStderr();
     for (const Bytes& seed : seeds) EXPECT_TRUE(read_all(folder.write("seed", seed)));
     for (std::size_t number = 0; number < cases; ++number) {
         const Bytes bytes = mutated(seeds[below(random, seeds.size())], GetParam(), random);
         const std::filesystem::path file = folder.write("case", bytes);
-        const Clock::time_point start = Clock::now();
+        const Stopwatch watch;
         if (read_all(file)) ++good;
-        longest = std::max(longest, std::chrono::duration<double>(Clock::now() - start).count());
+        longest = std::max(longest, watch.seconds());
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "libraries must not print";
     EXPECT_LT(longest, 1);
-    EXPECT_LT(peak_memory() - before, 300);
+    EXPECT_LT(growth.mebibytes(), most_growth);
     EXPECT_GT(good, 0U);
     EXPECT_LT(good, cases);
     std::cout << GetParam() << ": " << cases << " cases, " << good << " pictures, longest " << longest * 1e3
-              << " ms, peak memory + " << peak_memory() - before << " MiB\n";
+              << " ms, peak memory + " << growth.mebibytes() << " MiB\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryFormat, HostileImage, testing::Values("png", "bmp", "tif", "jpg", "vti"),
@@ -256,12 +310,7 @@ INSTANTIATE_TEST_SUITE_P(EveryFormat, HostileImage, testing::Values("png", "bmp"
 TEST(HostileImages, TinyFilesThatClaimManyPixels) {
     const Folder folder;
     const auto expect_refused = [&](const std::string& name, const Bytes& bytes, const std::string& reason) {
-        const std::filesystem::path file = folder.write(name, bytes);
-        const long before = peak_memory();
-        const Clock::time_point start = Clock::now();
-        EXPECT_THAT(message_of([&] { abut::read_image(file); }), HasSubstr(reason)) << name;
-        EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 0.5);
-        EXPECT_LT(peak_memory() - before, 20);
+        expect_refused_at_once(folder.write(name, bytes), reason);
     };
     const auto png_of = [](std::uint32_t width, std::uint32_t height) {
         Bytes file = png(1, 8, 0, {{1}});
@@ -309,22 +358,30 @@ TEST(HostileImages, CutOffFilesAreNoPictures) {
             }
 }
 
-TEST(HostileImages, VtiWithoutSomeOfItsData) {
+TEST(HostileImages, SmallFilesCutAtEveryPlace) {
     const Folder folder;
-    for (const Bytes& seed : seeds_of("vti", folder)) {
-        const std::string text(seed.begin(), seed.end());
-        // Of uncompressed base64 VTK 9.1 does not say how much it has read; only the missing end of a file shows.
-        const bool compressed = text.find("compressor") != text.npos, ascii = text.find("ascii") != text.npos;
-        if (!compressed && !ascii) continue;
-        const std::size_t appended = text.find("<AppendedData");
-        const std::size_t end =
-            appended == text.npos ? text.find("</DataArray>") : text.find("</AppendedData>", appended);
-        std::string shorter = text;
-        shorter.erase(end - 150, 130); // 20 bytes are white space in some
-        const std::filesystem::path file = folder.write("a.vti", Bytes(shorter.begin(), shorter.end()));
-        EXPECT_THAT(message_of([&] { abut::read_stack(file, 0, 2, [](int, const Image&) {}); }), HasSubstr("image \""))
-            << text.substr(0, 1000);
+    abut::write_image({3, 2, 1, {1, 2, 3, 4, 5, 6}}, folder.path / "a.tif");
+    write_vti(folder.path / "a.vti", vtkXMLWriter::Ascii, false);
+    const std::vector<Bytes> files{png(3, 2, 0, {{0}, {1}}),
+                                   png(3, 8, 3, {{0, 1, 0}}, png_chunk("PLTE", {1, 2, 3, 4, 5, 6})),
+                                   bmp(3, 2, 24, {Bytes(12, 7), Bytes(12, 8)}),
+                                   contents(folder.path / "a.tif"),
+                                   test::tiff(3, 2, 8, 1, 1, {1, 2, 3, 4, 5, 6}),
+                                   seeds_of("jpg", folder).front(),
+                                   contents(folder.path / "a.vti")};
+    testing::internal::CaptureStderr();
+    std::size_t cuts = 0;
+    for (const Bytes& whole : files) {
+        EXPECT_TRUE(read_all(folder.write("whole", whole)));
+        for (std::size_t size = 0; size < whole.size(); ++size, ++cuts) {
+            const auto file =
+                folder.write("cut", Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
+            const bool only_white_space = whole.back() == '\n' && size + 1 == whole.size();
+            EXPECT_EQ(read_all(file), only_white_space) << "of " << whole.size() << " bytes, cut to " << size;
+        }
     }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    std::cout << cuts << " cut files\n";
 }
 
 TEST(HostileImages, TiffWhosePagesGoInACircle) {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tiffio.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -11,6 +12,9 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedShortArray.h>
 #include <vtkXMLImageDataWriter.h>
+
+#include <array>
+#include <memory>
 
 using namespace test; // NOLINT(google-build-using-namespace)
 using abut::Image;
@@ -108,10 +112,10 @@ TEST(ImageStack, PagesOfATiff) {
 
 TEST(ImageStack, PagesMustAgree) {
     const Folder folder;
-    Bytes file = tiff(2, 1, 8, 1, 1, {5, 6});
+    Bytes file = test::tiff(2, 1, 8, 1, 1, {5, 6});
     const auto second = static_cast<std::uint32_t>(file.size());
-    file = tiff(2, 1, 8, 1, 1, {5, 6}, 0, {}, -1, second);
-    const Bytes other = tiff(1, 1, 8, 1, 1, {5, 6});
+    file = test::tiff(2, 1, 8, 1, 1, {5, 6}, 0, {}, -1, second);
+    const Bytes other = test::tiff(1, 1, 8, 1, 1, {5, 6});
     append(file, Bytes(other.begin() + other[4], other.end()));
     EXPECT_THAT(stack_error(folder.write("a.tif", file)),
                 HasSubstr("unequal slices: page 2 has 1 x 1 pixels of 8 bits, the first has 2 x 1 pixels of 8 bits"));
@@ -189,10 +193,45 @@ TEST(ImageStack, NumberedFilesInTheOrderOfTheirNumbers) {
     EXPECT_THAT(message_of([&] { read_image(pattern); }), HasSubstr("is a stack of 4 slices"));
 }
 
+TEST(ImageStack, NoMatchNamesWhatComesNear) {
+    const Folder folder;
+    const auto error = [&](const std::string& pattern) { return stack_error(folder.path / pattern); };
+    EXPECT_THAT(error("ct_*.png"), HasSubstr("matches no file (\"*\" stands for digits only); the folder has none"));
+    for (const char* name : {"b.png", "ct_1.tif", "ct_4.tif", "ct_2.tif", "ct_3.tif", "other.txt"})
+        folder.write(name, {1});
+    EXPECT_THAT(error("ct_*.png"), testing::EndsWith("; the folder has ct_1.tif, ct_2.tif, ct_3.tif and 1 more"));
+    EXPECT_THAT(error("slice*.png"), testing::EndsWith("; the folder has b.png"));
+    EXPECT_THAT(error("*.bmp"), testing::EndsWith("; the folder has none that comes near"));
+    folder.write("CT_0007.PNG", {1}); // capitals
+    EXPECT_THAT(error("ct_*.png"), testing::EndsWith("; the folder has CT_0007.PNG"));
+    EXPECT_THAT(error("none/ct_*.png"), HasSubstr("is in a folder that does not exist"));
+}
+
+TEST(ImageStack, ImageJBeyondFourGigabytes) {
+    const Folder folder;
+    const auto with_description = [&](const std::string& text) {
+        const std::filesystem::path file = folder.path / "a.tif";
+        const std::unique_ptr<TIFF, decltype(&TIFFClose)> tiff(TIFFOpen(file.c_str(), "w"), TIFFClose);
+        TIFFSetField(tiff.get(), TIFFTAG_IMAGEWIDTH, 2);
+        TIFFSetField(tiff.get(), TIFFTAG_IMAGELENGTH, 1);
+        TIFFSetField(tiff.get(), TIFFTAG_BITSPERSAMPLE, 8);
+        TIFFSetField(tiff.get(), TIFFTAG_SAMPLESPERPIXEL, 1);
+        TIFFSetField(tiff.get(), TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+        TIFFSetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, text.c_str());
+        std::array<std::uint8_t, 2> row{5, 6};
+        TIFFWriteScanline(tiff.get(), row.data(), 0, 0);
+        return file;
+    };
+    EXPECT_THAT(stack_error(with_description("ImageJ=1.53t\nimages=600\nslices=600\nloop=false\n")),
+                HasSubstr("is a stack of 600 slices of which only the first is a TIFF page, as ImageJ writes"));
+    EXPECT_EQ(read_stack_info(with_description("ImageJ=1.53t\nunit=um\n")).slices, 1);
+    EXPECT_EQ(read_stack_info(with_description("ImageJ=1.53t\nimages=1\n")).slices, 1);
+    EXPECT_EQ(read_stack_info(with_description("mine\nimages=7\n")).slices, 1);
+}
+
 TEST(ImageStack, NumberedFilesThatDoNotFit) {
     const Folder folder;
     const std::filesystem::path pattern = folder.path / "ct_*.png";
-    EXPECT_THAT(stack_error(pattern), HasSubstr("matches no file"));
     for (const int z : {15, 16, 18}) abut::write_image(slice(1), folder.path / ("ct_00" + std::to_string(z) + ".png"));
     EXPECT_THAT(stack_error(pattern), HasSubstr("slice 17 is missing between ct_0016.png and ct_0018.png"));
     abut::write_image({1, 1, 1, {7}}, folder.path / "ct_17.png");

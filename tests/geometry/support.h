@@ -143,7 +143,7 @@ inline Bytes bmp(std::int32_t width, std::int32_t height, int bits, const std::v
 /// \param photometric 0 white is 0, 1 black is 0, 2 RGB, 3 palette. \param palette 3 × 256 shorts, red first
 inline Bytes tiff(std::uint32_t width, std::uint32_t height, int bits, int samples, int photometric, const Bytes& data,
                   int orientation = 0, const std::vector<std::uint16_t>& palette = {}, int extra_sample = -1,
-                  std::uint32_t next = 0) {
+                  std::uint32_t next = 0, int compression = 1) {
     struct Entry {
         std::uint32_t tag, type, count, value;
     };
@@ -154,7 +154,7 @@ inline Bytes tiff(std::uint32_t width, std::uint32_t height, int bits, int sampl
     entries.push_back({258, 3, static_cast<std::uint32_t>(samples),
                        samples <= 1 ? static_cast<std::uint32_t>(bits)
                                     : (samples == 2 ? static_cast<std::uint32_t>(bits * 65537) : bits_at)});
-    entries.push_back({259, 3, 1, 1});
+    entries.push_back({259, 3, 1, static_cast<std::uint32_t>(compression)});
     entries.push_back({262, 3, 1, static_cast<std::uint32_t>(photometric)});
     entries.push_back({273, 4, 1, 8});
     if (orientation) entries.push_back({274, 3, 1, static_cast<std::uint32_t>(orientation)});
