@@ -250,18 +250,20 @@ void join_slivers(std::vector<Covered>& places) {
     };
     for (std::size_t k = 0; k < places.size(); ++k) {
         if (places[k].fraction >= thin) continue;
-        std::size_t best = places.size();
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (const int step : {-1, 1}) {
-                Place place = places[k].place;
-                place[axis] += step;
-                const std::size_t beside = find(place);
-                if (beside < places.size() && !gone[beside] && places[beside].fraction >= thin &&
-                    (best == places.size() || places[beside].fraction > places[best].fraction))
-                    best = beside;
-            }
-        if (best == places.size()) continue;
-        places[best] = joined(places[best], places[k]);
+        // Beside it across a face; only where there is none, as at corners, across an edge or a corner.
+        std::array<std::size_t, 2> best{places.size(), places.size()};
+        for (int dz = -1; dz <= 1; ++dz)
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx) {
+                    const Place& own = places[k].place;
+                    const std::size_t beside = find({own[0] + dx, own[1] + dy, own[2] + dz});
+                    if (beside == places.size() || gone[beside] || places[beside].fraction < thin) continue;
+                    std::size_t& choice = best[std::abs(dx) + std::abs(dy) + std::abs(dz) == 1 ? 0 : 1];
+                    if (choice == places.size() || places[beside].fraction > places[choice].fraction) choice = beside;
+                }
+        const std::size_t taker = best[0] < places.size() ? best[0] : best[1];
+        if (taker == places.size()) continue;
+        places[taker] = joined(places[taker], places[k]);
         gone[k] = 1;
     }
     std::size_t next = 0;

@@ -47,7 +47,7 @@ struct Moments {
 inline constexpr double least_fraction = 1e-4;
 
 /// Parts of less than a tenth of a place are too thin for particles of their own: each is joined to the part of the
-/// same body in the place beside it that is largest, which grows by it (its fraction too, beyond 1 if it was whole),
+/// same body in the place around it that is largest, which grows by it (its fraction too, beyond 1 if it was whole),
 /// keeping content, centre and moments of both together. A part without others beside it stays as it is.
 void join_slivers(std::vector<Covered>& places);
 
