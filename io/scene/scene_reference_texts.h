@@ -57,10 +57,10 @@ lattice, which starts at the grid's lower corner and has `particles_per_cell` pa
 `fill` `centre` (shapes) or `majority` (images) a body has whole particles at the places whose centre it holds, or
 of which it covers most: outlines have steps, and areas are off by some per cent if bodies are few particles wide. With
 `covered-fraction` it has a particle wherever it covers any of a place, and the particle has the area (volume) of what is covered,
-its centre and its proportions, in plane scenes with `cpdi` and `b2cpdi` also its direction: areas are right to 0.01 % or
-better, and outlines are smooth. A box has a lattice of its own that fits it exactly (`arrangement` `fitted`, which
-others can have too); its particles are never wider than a cell. Bodies may touch but not overlap, unless `overlap` says
-who gives way; they must lie in the grid and be no smaller than a cell. `abut particles` prints for each body its area in
+its centre and its proportions, in plane scenes with `cpdi` and `b2cpdi` also its direction: areas are right to 0.02 % or
+better, and outlines follow the shape instead of the lattice. Parts of less than a tenth of a place join the particle beside them. A box has a lattice of its own that fits it exactly (`arrangement` `fitted`, which
+others can have too); its particles are never wider than a cell. Bodies may touch (of the same `fill` and
+`particles_per_cell`, or their particles may get into each other's way) but not overlap, unless `overlap` says who gives way; they must lie in the grid and be no smaller than a cell. `abut particles` prints for each body its area in
 particles and in its image or shape, and how many cells its thinnest part is wide: less than two is too little.
 
 **Shapes.** A body has one shape. `shapes` gives shapes names, so that others can be made of them by `union`,
