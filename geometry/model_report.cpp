@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace abut {
 
@@ -42,6 +43,23 @@ std::string table_of(const ModelReport& report, std::size_t dimension) {
         text += row(all);
     }
     return text;
+}
+
+std::string size_advice(const Model& model, const GridSpec& grid) {
+    constexpr double many = 100;
+    Vector lower = model.position.at(0);
+    Vector upper = lower;
+    for (std::size_t p = 0; p < model.size(); ++p)
+        for (std::size_t a = 0; a < 3; ++a) {
+            lower[a] = std::min(lower[a], model.position[p][a] - model.half_size[p][a]);
+            upper[a] = std::max(upper[a], model.position[p][a] + model.half_size[p][a]);
+        }
+    double ratio = std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < 3; ++a)
+        if (grid.upper[a] > grid.lower[a])
+            ratio = std::min(ratio, (grid.upper[a] - grid.lower[a]) / (upper[a] - lower[a]));
+    if (!(ratio >= many)) return {};
+    return fmt::format("the grid is {:.0f} times larger than all bodies together: are their units right?", ratio);
 }
 
 std::vector<std::string> warnings_of(const ModelReport& report) {

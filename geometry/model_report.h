@@ -3,6 +3,7 @@
 /// How well particles stand for the bodies they were made from.
 
 #include "geometry/parts.h"
+#include "particles/model.h"
 
 #include <string>
 #include <vector>
@@ -34,6 +35,10 @@ double thinnest_width(const std::vector<const Part*>& parts, double cell);
 
 /// Table of all bodies for a terminal. \param dimension says whether sizes are areas or volumes
 std::string table_of(const ModelReport& report, std::size_t dimension);
+
+/// What to say of a model a hundred times smaller than its grid along every axis: likely a mistake in a unit. Empty for
+/// others.
+std::string size_advice(const Model& model, const GridSpec& grid);
 
 /// One line for each body thinner than two cells; for several alike, one line together.
 std::vector<std::string> warnings_of(const ModelReport& report);

@@ -139,6 +139,8 @@ int with_state(const SceneOptions& options, ModelReport* report, Use&& use) {
     const LoadedScene loaded = load_scene(options.scene, options.set);
     print_advice(loaded.scene, options.scene);
     const Model model = build_model(loaded.scene, options.scene.string(), report);
+    if (const std::string advice = size_advice(model, loaded.scene.grid); !advice.empty())
+        fmt::print(stderr, "{}: advice: {}\n", options.scene.string(), advice);
     if (report)
         for (const std::string& warning : warnings_of(*report))
             fmt::print(stderr, "{}: advice: {}\n", options.scene.string(), warning);

@@ -77,6 +77,14 @@ TEST(ThinnestWidth, OfNecksBarsAndRings) {
     EXPECT_NEAR(thinnest(Polygon{{{2, 2}, {20, 10}, {38, 2}, {38, 24}, {20, 16}, {2, 24}}, {}}), 6, 1) << "a waist";
 }
 
+TEST(ModelReport, ModelsAHundredTimesSmallerThanTheGrid) {
+    Scene scene = unit_scene(300);
+    scene.bodies = {box("dot", {10, 10, 0}, {12, 12, 0})};
+    EXPECT_THAT(size_advice(build_model(scene, "scene.json"), scene.grid), HasSubstr("150 times larger"));
+    scene.bodies = {box("bar", {10, 10, 0}, {12, 22, 0})};
+    EXPECT_EQ(size_advice(build_model(scene, "scene.json"), scene.grid), "");
+}
+
 TEST(ModelReport, AreasOfShapesAndImages) {
     const Folder folder;
     write_image(test::picture({{5, 5, 0}, {5, 0, 0}}), folder.path / "a.png");
