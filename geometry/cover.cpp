@@ -92,14 +92,13 @@ Place place_in(std::size_t dimension, std::int32_t i, std::int32_t j, std::int32
     return dimension == 3 ? Place{i, j, along} : Place{i, along, 0};
 }
 
-/// A whole place.
+} // namespace
+
 Covered whole(const Lattice& lattice, const Place& place) {
     Covered covered{place, 1, lattice.centre(place), {}, 0};
     for (std::size_t a = 0; a < lattice.dimension; ++a) covered.variance[a] = lattice.edge[a] * lattice.edge[a] / 12;
     return covered;
 }
-
-} // namespace
 
 Covered Moments::covered(const Lattice& lattice, const Place& place) const {
     Covered covered{place, std::min(1.0, content), {}, {}, 0};

@@ -19,6 +19,9 @@ struct Covered {
     double covariance = 0; ///< of x and y [m^2]
 };
 
+/// All of a place.
+Covered whole(const Lattice& lattice, const Place& place);
+
 /// Sums of a density over pieces of a place, from which Covered is made. Coordinates in edges of the place from its
 /// lower corner.
 struct Moments {

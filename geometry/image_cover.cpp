@@ -122,12 +122,6 @@ private:
     std::vector<std::int32_t> met_;
 };
 
-Covered whole(const Lattice& lattice, const Place& place) {
-    Covered covered{place, 1, lattice.centre(place), {}, 0};
-    for (std::size_t a = 0; a < lattice.dimension; ++a) covered.variance[a] = lattice.edge[a] * lattice.edge[a] / 12;
-    return covered;
-}
-
 /// Calls piece(label, lower, upper) for the pieces of pixels in a place.
 template <class Piece>
 void for_pieces(const LabelVolume& image, const Span1D& x, const Span1D& y, const Span1D& z, Piece&& piece) {

@@ -200,7 +200,6 @@ std::vector<ImagePart> image_parts(const Scene& scene, std::size_t index, const 
     for (std::size_t a = 0; a < work.dimension; ++a) places[a] = cell_counts(scene.grid)[a] * spec.particles_per_cell;
     std::vector<std::vector<Covered>> covered =
         cover_image(image.volume, image.bodies.size(), work.frame, lattice, places, spec.fill);
-    const bool can_turn = scene.method.shape == ShapeKind::cpdi || scene.method.shape == ShapeKind::b2cpdi;
     double pixel = 1;
     for (std::size_t a = 0; a < work.dimension; ++a) pixel *= work.frame.pixel[a];
 
@@ -215,7 +214,7 @@ std::vector<ImagePart> image_parts(const Scene& scene, std::size_t index, const 
         part.lattice = lattice;
         part.exact = pixel * static_cast<double>(body.pixels);
         if (spec.particles_per_cell > 1) join_slivers(covered[k]); // ugimp has room for a cell's width at most
-        add_particles(part, covered[k], can_turn);
+        add_particles(part, covered[k], sees_turns(scene.method));
         if (part.size() == 0)
             problems.push_back({part.pointer, fmt::format("body \"{}\" got no particles: {}", body.name,
                                                           why_no_particles(work, image, body, lattice.half_size()))});

@@ -27,6 +27,11 @@ struct Lattice {
     Vector half_size() const { return {edge[0] / 2, edge[1] / 2, edge[2] / 2}; }
     /// Area or volume of a place [m^2, m^3].
     double content() const { return edge[0] * edge[1] * (dimension == 3 ? edge[2] : 1); }
+    double shortest_edge() const {
+        double shortest = edge[0];
+        for (std::size_t axis = 1; axis < dimension; ++axis) shortest = std::min(shortest, edge[axis]);
+        return shortest;
+    }
     /// The place that holds a coordinate.
     std::int32_t place(std::size_t axis, double x) const {
         return axis < dimension ? static_cast<std::int32_t>(std::floor((x - lower[axis]) / edge[axis])) : 0;

@@ -31,6 +31,11 @@ struct Part {
     double fraction_of(std::size_t k) const { return fraction.empty() ? 1 : fraction[k]; }
 };
 
+/// Whether a method sees particles that are turned as such, and not as boxes along the axes.
+inline bool sees_turns(const MethodSpec& method) {
+    return method.shape == ShapeKind::cpdi || method.shape == ShapeKind::b2cpdi;
+}
+
 /// A part of particles for covered places.
 /// \param turned whether particles of partly covered places may be turned
 void add_particles(Part& part, const std::vector<Covered>& places, bool turned);

@@ -21,10 +21,6 @@ Arrangement arrangement_of(const BodySpec& body, std::size_t dimension) {
                                                                                 : Arrangement::grid);
 }
 
-bool can_turn(const MethodSpec& method) {
-    return method.shape == ShapeKind::cpdi || method.shape == ShapeKind::b2cpdi;
-}
-
 /// Every place of the lattice that fits a box, in the frame of its own edges.
 void fill_box(Part& part, const Box& box, const Lattice& wanted, const Vector& cell) {
     part.turn = box.angle;
@@ -148,11 +144,9 @@ Shaped shape_body(const Scene& scene, std::size_t k, const std::filesystem::path
         return {};
     }
     const Lattice lattice = grid_lattice(scene.grid, body.particles_per_cell, static_cast<std::size_t>(axes));
-    double finest = lattice.edge[0];
-    for (std::size_t a = 1; a < lattice.dimension; ++a) finest = std::min(finest, lattice.edge[a]);
     try {
         std::vector<std::string> repairs;
-        Shaped shaped{make_solid(body.shape, {scene.shapes, axes, folder, finest}, &repairs), false};
+        Shaped shaped{make_solid(body.shape, {scene.shapes, axes, folder, lattice.shortest_edge()}, &repairs), false};
         for (const std::string& repair : repairs) notes.push_back(fmt::format("body \"{}\": {}", body.name, repair));
         shaped.good = is_validated(body.shape, lattice.dimension) ||
                       check_extent(*shaped.solid, body, scene.grid, pointer, lattice.dimension, problems);
@@ -204,7 +198,7 @@ std::vector<Part> shape_parts(const Scene& scene, const std::string& scene_name,
                                                   : places_by_centre(solid, part.lattice);
                 // ugimp has room for particles of a cell's width at most.
                 if (body.particles_per_cell > 1) join_slivers(places);
-                add_particles(part, places, can_turn(scene.method));
+                add_particles(part, places, sees_turns(scene.method));
             }
             if (part.size() == 0)
                 problems.push_back({part.pointer, fmt::format("body \"{}\" got no particles: {}", body.name,
@@ -212,8 +206,7 @@ std::vector<Part> shape_parts(const Scene& scene, const std::string& scene_name,
                                                                                    edges_text(part.lattice.half_size())
                                                                              : "others have all of its place")});
             if (wants_exact) {
-                double finest = part.lattice.edge[0];
-                for (std::size_t a = 1; a < axes; ++a) finest = std::min(finest, part.lattice.edge[a]);
+                const double finest = part.lattice.shortest_edge();
                 part.exact = content_of(solid, axes, finest);
                 for (const std::size_t other : gets) {
                     const Solid& taken = *shaped[other].solid;
