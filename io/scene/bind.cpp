@@ -110,17 +110,6 @@ MethodSpec bind_method(const Json& json) {
     return method;
 }
 
-OutputSpec bind_output(const Json& json) {
-    OutputSpec output;
-    copy(json, "every", output.every);
-    copy(json, "history_every", output.history_every);
-    copy(json, "particles", output.particles);
-    copy(json, "grid", output.grid);
-    copy(json, "contact", output.contact);
-    copy(json, "pairs", output.pairs);
-    return output;
-}
-
 } // namespace
 
 Scene bind_scene(const Json& checked, std::vector<Problem>& problems) {

@@ -71,6 +71,9 @@ InitialState bind_initial_state(const Json& json);
 /// A prescribed motion.
 RigidSpec bind_rigid(const Json& json);
 
+/// What stands at /output.
+OutputSpec bind_output(const Json& json);
+
 /// An entry of /boundaries.
 BoundarySpec bind_boundary(const Json& json);
 

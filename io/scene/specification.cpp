@@ -10,7 +10,7 @@ namespace {
 
 std::vector<Key> all_keys() {
     std::vector<Key> keys;
-    for (const auto& section : {general_keys(), matter_keys(), contact_keys(), boundary_keys()})
+    for (const auto& section : {general_keys(), output_keys(), matter_keys(), contact_keys(), boundary_keys()})
         keys.insert(keys.end(), section.begin(), section.end());
     return keys;
 }

@@ -134,39 +134,6 @@ std::vector<Key> general_keys() {
          .dimension = dimensions::acceleration,
          .otherwise = "[0, 0]",
          .meaning = "Acceleration of every particle."},
-
-        {.path = "/output", .kind = Kind::object, .otherwise = "{}", .meaning = "What is written, and when."},
-        {.path = "/output/every",
-         .kind = Kind::quantity,
-         .dimension = dimensions::time,
-         .otherwise = "0",
-         .range = at_least(0),
-         .meaning = "Time between two frames, each written at the first step at or after its time; 0 writes only the "
-                    "first and the last state."},
-        {.path = "/output/history_every",
-         .kind = Kind::quantity,
-         .dimension = dimensions::time,
-         .range = above(0),
-         .meaning =
-             "Time between two rows of history.csv, bodies.csv and pairs.csv; not given: a hundredth of `every`, or of "
-             "`end` if that is 0."},
-        {.path = "/output/particles",
-         .kind = Kind::boolean,
-         .otherwise = "true",
-         .meaning = "Whether to write particles (.vtu)."},
-        {.path = "/output/grid",
-         .kind = Kind::boolean,
-         .otherwise = "true",
-         .meaning = "Whether to write the grid (.vti)."},
-        {.path = "/output/contact",
-         .kind = Kind::boolean,
-         .otherwise = "true",
-         .meaning = "Whether to write contact pairs at nodes (.vtp), in scenes with contact."},
-        {.path = "/output/pairs",
-         .kind = Kind::boolean,
-         .otherwise = "true",
-         .meaning = "Whether to write the forces between bodies to pairs.csv, in scenes with contact."},
-        {.path = "/output/checkpoint_every", .kind = Kind::later, .meaning = "Time between two checkpoints."},
     };
 }
 

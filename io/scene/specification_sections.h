@@ -24,7 +24,8 @@ inline std::vector<std::string> quoted_all(std::vector<std::string> words) {
 inline const OnlyWith only_in_plane{"/analysis", quoted_all({"plane-strain", "plane-stress", "axisymmetric"})};
 inline const OnlyWith only_in_3d{"/analysis", quoted_all({"3d"})};
 
-std::vector<Key> general_keys();                      ///< the scene, grid, time, method, gravity, output
+std::vector<Key> general_keys();                      ///< the scene, grid, time, method, gravity
+std::vector<Key> output_keys();                       ///< output
 std::vector<Key> matter_keys();                       ///< materials, shapes, bodies, images
 std::vector<Key> shape_keys(const std::string& path); ///< of a shape that stands at `path`, one key each kind
 std::vector<Key> shapes_keys();                       ///< shapes by name

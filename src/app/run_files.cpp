@@ -73,7 +73,7 @@ std::optional<double> RunFiles::write_frames(State<D>& state) {
     look(state);
     const OutputSpec& output = state.scene.output;
     std::optional<double> fraction;
-    if (output.particles) {
+    if (output.particles.write) {
         PointFrame frame = particle_frame(state);
         if constexpr (D == 2)
             if (state.effects.contact) {
@@ -82,8 +82,8 @@ std::optional<double> RunFiles::write_frames(State<D>& state) {
             }
         write_to_series(particles_, "particles", "vtu", frame_, frame, write_particles);
     }
-    if (output.grid) write_to_series(grid_, "grid", "vti", frame_, grid_frame(state), write_grid);
-    if (output.contact && state.effects.contact)
+    if (output.grid.write) write_to_series(grid_, "grid", "vti", frame_, grid_frame(state), write_grid);
+    if (output.contact.write && state.effects.contact)
         write_to_series(contact_, "contact", "vtp", frame_, contact_frame(state), write_contact);
     ++frame_;
     return fraction;

@@ -29,7 +29,7 @@ TEST(SceneOverrides, MakeWhatIsMissing) {
     const Scene scene = load(no_contact, {"/contact/law/type=stick", "/output/grid=false"}).scene;
     ASSERT_TRUE(scene.contact);
     EXPECT_EQ(scene.contact->law.type, LawType::stick);
-    EXPECT_FALSE(scene.output.grid);
+    EXPECT_FALSE(scene.output.grid.write);
     EXPECT_EQ(load(changed("/gravity", ""), {"/gravity/1=-3"}).scene.gravity, (Vector{0, -3, 0}));
     EXPECT_EQ(
         load(example,

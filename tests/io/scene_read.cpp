@@ -135,8 +135,8 @@ std::string describe(const Scene& s) {
         out << b.name << ' ';
         std::visit([&out](const auto& condition) { out << condition << '\n'; }, b.condition);
     }
-    out << s.gravity << '|' << s.output.every << ' ' << s.output.history_every.value_or(-1) << s.output.particles
-        << s.output.grid << s.output.contact;
+    out << s.gravity << '|' << s.output.every << ' ' << s.output.history_every.value_or(-1) << s.output.particles.write
+        << s.output.grid.write << s.output.contact.write;
     return out.str();
 }
 

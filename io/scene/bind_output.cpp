@@ -1,0 +1,51 @@
+#include "io/scene/bind_parts.h"
+
+namespace abut {
+
+namespace {
+
+SeriesSpec bind_series(const Json& json, const std::string& name, const char* list) {
+    SeriesSpec series;
+    copy(json, name.c_str(), series.write);
+    copy(json, (name + "_every").c_str(), series.every);
+    copy(json, list, series.arrays);
+    return series;
+}
+
+ContactCloudsSpec bind_clouds(const Json& json) {
+    ContactCloudsSpec clouds;
+    copy_list(json, "nodes", clouds.nodes, [](const Json& entry) {
+        std::array<int, 3> node{};
+        for (std::size_t axis = 0; axis < std::min(node.size(), entry.size()); ++axis) node[axis] = entry[axis];
+        return node;
+    });
+    copy_list(json, "near", clouds.near, [](const Json& entry) {
+        Vector place{};
+        for (std::size_t axis = 0; axis < std::min(place.size(), entry.size()); ++axis) place[axis] = entry[axis];
+        return place;
+    });
+    copy(json, "disagreement", clouds.disagreement);
+    return clouds;
+}
+
+} // namespace
+
+OutputSpec bind_output(const Json& json) {
+    OutputSpec output;
+    copy(json, "every", output.every);
+    copy(json, "history_every", output.history_every);
+    output.particles = bind_series(json, "particles", "particle_arrays");
+    output.grid = bind_series(json, "grid", "grid_arrays");
+    output.contact = bind_series(json, "contact", "contact_arrays");
+    copy(json, "bodies", output.bodies);
+    std::string precision;
+    copy(json, "precision", precision);
+    output.single_precision = precision == "single";
+    copy(json, "pairs", output.pairs);
+    if (const Json* clouds = find(json, "contact_clouds")) output.contact_clouds = bind_clouds(*clouds);
+    copy(json, "live", output.live);
+    copy(json, "live_preset", output.live_preset);
+    return output;
+}
+
+} // namespace abut
