@@ -61,23 +61,6 @@ bool find_windows(State<D>& state) {
     return false;
 }
 
-/// Where the particles with tractions are after a sort.
-template <int D>
-void find_traction_particles(State<D>& state) {
-    if (state.traction_faces.empty()) return;
-    std::vector<std::int32_t> index(state.particles.size());
-    std::vector<std::int32_t> tile_of(state.particles.size());
-    for (std::size_t t = 0; t < state.tiling.tiles.size(); ++t)
-        for (std::int32_t p = state.tiling.tiles[t].first; p < state.tiling.tiles[t].last; ++p) {
-            index[state.particles.id[p]] = p;
-            tile_of[p] = static_cast<std::int32_t>(t);
-        }
-    for (TractionFace& face : state.traction_faces) {
-        face.particle = index[face.id];
-        face.tile = tile_of[face.particle];
-    }
-}
-
 template <int D>
 void check_windows(const State<D>& state) {
     for (const Tile<D>& tile : state.tiling.tiles)
@@ -96,6 +79,22 @@ void check_windows(const State<D>& state) {
 }
 
 } // namespace
+
+template <int D>
+void find_traction_particles(State<D>& state) {
+    if (state.traction_faces.empty()) return;
+    std::vector<std::int32_t> index(state.particles.size());
+    std::vector<std::int32_t> tile_of(state.particles.size());
+    for (std::size_t t = 0; t < state.tiling.tiles.size(); ++t)
+        for (std::int32_t p = state.tiling.tiles[t].first; p < state.tiling.tiles[t].last; ++p) {
+            index[state.particles.id[p]] = p;
+            tile_of[p] = static_cast<std::int32_t>(t);
+        }
+    for (TractionFace& face : state.traction_faces) {
+        face.particle = index[face.id];
+        face.tile = tile_of[face.particle];
+    }
+}
 
 template <int D>
 void find_velocity_fields(State<D>& state) {
@@ -157,6 +156,8 @@ void store_stencils(State<D>& state) {
     store_all_stencils<D, false>(state);
 }
 
+template void find_traction_particles<2>(State<2>&);
+template void find_traction_particles<3>(State<3>&);
 template void find_velocity_fields<2>(State<2>&);
 template void find_velocity_fields<3>(State<3>&);
 template void store_stencils<2>(State<2>&);

@@ -11,6 +11,10 @@ namespace abut {
 template <int D>
 void find_velocity_fields(State<D>& state);
 
+/// Where the particles with tractions are in the store, by their ids; after a sort.
+template <int D>
+void find_traction_particles(State<D>& state);
+
 /// Expands the stencils of all particles, for shapes that are dear to expand.
 template <int D>
 void store_stencils(State<D>& state);
