@@ -43,6 +43,9 @@ CsvTable::CsvTable(const std::filesystem::path& path, const std::vector<std::str
     flush();
 }
 
+CsvTable::CsvTable(const std::filesystem::path& path, const std::vector<std::string>& columns, std::uintmax_t bytes)
+    : file_(OutputFile::continued(path, bytes)), columns_(columns.size()), bytes_(bytes) {}
+
 CsvTable::~CsvTable() {
     try {
         flush();
@@ -78,6 +81,7 @@ void CsvTable::flush() {
     if (buffer_.empty()) return;
     const std::string rows = std::exchange(buffer_, {}); // a failed write is reported once, not again by the destructor
     file_.write(rows);
+    bytes_ += rows.size();
 }
 
 } // namespace abut

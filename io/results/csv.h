@@ -24,6 +24,8 @@ public:
 
     /// Creates or replaces the file and writes the header.
     CsvTable(const std::filesystem::path& path, const std::vector<std::string>& columns);
+    /// Goes on with a file that is there after its first `bytes`; what follows is cut off.
+    CsvTable(const std::filesystem::path& path, const std::vector<std::string>& columns, std::uintmax_t bytes);
     CsvTable(CsvTable&&) noexcept = default;
     CsvTable& operator=(CsvTable&&) noexcept = default;
     ~CsvTable(); ///< flushes; a failure is only noticed by calling flush() before
@@ -33,12 +35,14 @@ public:
     void row(std::initializer_list<Value> values) { row(std::span(values.begin(), values.size())); }
     void row(std::span<const double> values);
     void flush();
+    std::uintmax_t bytes() const { return bytes_ + buffer_.size(); } ///< of the file after a flush
 
 private:
     void end_row(std::size_t values);
 
     OutputFile file_;
     std::size_t columns_;
+    std::uintmax_t bytes_ = 0; ///< in the file
     std::string buffer_;
 };
 

@@ -33,6 +33,20 @@ OutputFile::OutputFile(const std::filesystem::path& path, const std::filesystem:
     if (descriptor_ < 0) fail(shown_, std::strerror(errno));
 }
 
+OutputFile OutputFile::continued(const std::filesystem::path& path, std::uintmax_t bytes) {
+    OutputFile file;
+    file.shown_ = path;
+    file.descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file.descriptor_ < 0) fail(path, std::strerror(errno));
+    const off_t size = ::lseek(file.descriptor_, 0, SEEK_END);
+    if (size < 0 || static_cast<std::uintmax_t>(size) < bytes)
+        fail(path, fmt::format("it has {} bytes instead of at least {}; has it been changed?", size, bytes));
+    const auto keep = static_cast<off_t>(bytes);
+    if (::ftruncate(file.descriptor_, keep) != 0 || ::lseek(file.descriptor_, keep, SEEK_SET) != keep)
+        fail(path, std::strerror(errno));
+    return file;
+}
+
 OutputFile::OutputFile(OutputFile&& other) noexcept
     : shown_(std::move(other.shown_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
 

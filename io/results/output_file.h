@@ -2,6 +2,7 @@
 /// \file output_file.h
 /// Files that are written completely or reported: an unbuffered output file, and the replacement of a whole file.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -14,6 +15,9 @@ class OutputFile {
 public:
     /// Creates or empties `path`. Messages name `shown` instead, if given.
     explicit OutputFile(const std::filesystem::path& path, const std::filesystem::path& shown = {});
+    /// Opens a file that is there to go on after its first `bytes`; the rest is cut off. A file that is missing or
+    /// shorter is reported.
+    static OutputFile continued(const std::filesystem::path& path, std::uintmax_t bytes);
     OutputFile(OutputFile&& other) noexcept;
     OutputFile& operator=(OutputFile&& other) noexcept;
     ~OutputFile();
@@ -23,6 +27,7 @@ public:
     void close(); ///< reports what the destructor would swallow
 
 private:
+    OutputFile() = default;
     std::filesystem::path shown_;
     int descriptor_ = -1;
 };

@@ -39,6 +39,29 @@ RunSeries make_series(const std::filesystem::path& folder, const std::string& na
             {spec.arrays, bodies}};
 }
 
+CsvTable open_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                    const OutputProgress* resumed, std::size_t number) {
+    return resumed ? CsvTable(path, columns, static_cast<std::uintmax_t>(resumed->bytes[number]))
+                   : CsvTable(path, columns);
+}
+
+/// The series goes on after its first frames; files of later ones are removed.
+void resume(RunSeries& series, const SeriesProgress& progress, double time) {
+    series.schedule.resume(time, progress.every, progress.next);
+    if (!series.wanted || progress.frames == 0) return;
+    series.pvd = read_pvd(series.pvd.path);
+    const auto kept = static_cast<std::size_t>(progress.frames);
+    if (series.pvd.entries.size() < kept)
+        throw std::runtime_error(fmt::format("{}: has {} frames instead of at least {}; has it been changed?",
+                                             series.pvd.path.string(), series.pvd.entries.size(), kept));
+    while (series.pvd.entries.size() > kept) {
+        std::filesystem::remove(series.pvd.path.parent_path() / series.pvd.entries.back().file);
+        series.pvd.entries.pop_back();
+    }
+    series.frames = static_cast<int>(progress.frames);
+    series.last_time = progress.last_time;
+}
+
 /// Whether a series gets a frame at this time; if it does, its schedule moves on.
 bool gets_frame(RunSeries& series, double time, Frames which) {
     const bool due = series.schedule.due(time);
@@ -48,9 +71,11 @@ bool gets_frame(RunSeries& series, double time, Frames which) {
 } // namespace
 
 template <int D>
-RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state)
-    : folder_(folder), history_(folder / "history.csv", history_columns(state)),
-      bodies_(folder / "bodies.csv", with_key_columns({"step", "time", "body"}, body_columns())) {
+RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state,
+                   const OutputProgress* resumed)
+    : folder_(folder), history_(open_table(folder / "history.csv", history_columns(state), resumed, 0)),
+      bodies_(
+          open_table(folder / "bodies.csv", with_key_columns({"step", "time", "body"}, body_columns()), resumed, 1)) {
     write_text_atomically(folder / "scene.json", resolved_scene);
     const OutputSpec& output = state.scene.output;
     const std::vector<bool> bodies = chosen_bodies(state);
@@ -60,7 +85,22 @@ RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resol
     contact().wanted &= state.effects.contact;
     if (output.single_precision) reals_ = Reals::float32;
     if (state.effects.contact && output.pairs)
-        pairs_.emplace(folder / "pairs.csv", with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns()));
+        pairs_.emplace(open_table(folder / "pairs.csv",
+                                  with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns()), resumed, 2));
+    if (!resumed) return;
+    for (std::size_t i = 0; i < series_.size(); ++i) resume(series_[i], resumed->series[i], state.time);
+    last_history_ = resumed->history_last;
+}
+
+OutputProgress RunFiles::progress() const {
+    OutputProgress progress;
+    for (std::size_t i = 0; i < series_.size(); ++i)
+        progress.series[i] = {series_[i].frames, series_[i].last_time, series_[i].schedule.every(),
+                              series_[i].schedule.next()};
+    progress.history_last = last_history_;
+    progress.bytes = {static_cast<std::int64_t>(history_.bytes()), static_cast<std::int64_t>(bodies_.bytes()),
+                      pairs_ ? static_cast<std::int64_t>(pairs_->bytes()) : 0};
+    return progress;
 }
 
 template <int D>
@@ -146,13 +186,13 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
     write_text_atomically(file, json.dump(2) + "\n");
 }
 
-template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<2>&);
+template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<2>&, const OutputProgress*);
 template void RunFiles::write_history<2>(State<2>&);
 template bool RunFiles::write_frames<2>(State<2>&, Frames);
 template void RunFiles::write_failed<2>(const State<2>&);
 template void write_timing<2>(const std::filesystem::path&, const State<2>&, const std::vector<Task<2>>&,
                               const RunTiming&);
-template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<3>&);
+template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<3>&, const OutputProgress*);
 template void RunFiles::write_history<3>(State<3>&);
 template bool RunFiles::write_frames<3>(State<3>&, Frames);
 template void RunFiles::write_failed<3>(const State<3>&);

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/schedule.h"
+#include "io/checkpoint/checkpoint.h"
 #include "io/results/csv.h"
 #include "io/results/pvd.h"
 #include "io/results/write_frame.h"
@@ -32,8 +33,12 @@ struct RunSeries {
 class RunFiles {
 public:
     /// Writes scene.json and opens the tables; the folder is ready (prepare_result_folder).
+    /// \param resumed where the output of the run that this one continues was: rows and frames after it are removed
     template <int D>
-    RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state);
+    RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state,
+             const OutputProgress* resumed = nullptr);
+    /// Where the output is; without the schedule of the tables, which is not kept here.
+    OutputProgress progress() const;
 
     /// A row of history.csv and the rows of bodies.csv and pairs.csv.
     template <int D>

@@ -9,6 +9,16 @@ class Schedule {
 public:
     /// \param every [s]; 0: never due, not even at 0
     explicit Schedule(double every = 0) : every_(every) {}
+    double every() const { return every_; }
+    double next() const { return next_; } ///< time of the next [s]
+    /// Goes on at `time` as another schedule would have, whose next time was `next`; with another interval, at the next
+    /// multiple of its own.
+    void resume(double time, double other_every, double other_next) {
+        if (every_ == other_every)
+            next_ = other_next;
+        else if (every_ > 0)
+            next_ = (std::floor(time / every_ * (1 + 1e-12)) + 1) * every_;
+    }
     /// Whether due(time) would be true.
     bool is_due(double time) const { return every_ > 0 && time >= next_; }
     /// True once for each due time that `time` has reached; several at once count as one.
