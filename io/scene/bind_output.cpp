@@ -43,6 +43,10 @@ OutputSpec bind_output(const Json& json) {
     output.single_precision = precision == "single";
     copy(json, "pairs", output.pairs);
     if (const Json* clouds = find(json, "contact_clouds")) output.contact_clouds = bind_clouds(*clouds);
+    copy(json, "checkpoint", output.checkpoint);
+    copy(json, "checkpoint_every", output.checkpoint_every);
+    copy(json, "checkpoint_every_steps", output.checkpoint_every_steps);
+    copy(json, "checkpoint_every_wall", output.checkpoint_every_wall);
     copy(json, "live", output.live);
     copy(json, "live_preset", output.live_preset);
     return output;

@@ -113,7 +113,27 @@ std::vector<Key> output_keys() {
          .words = render_presets(),
          .otherwise = quoted("bodies"),
          .meaning = "What `live.png` shows: a preset of `abut render`."},
-        {.path = "/output/checkpoint_every", .kind = Kind::later, .meaning = "Time between two checkpoints."},
+        {.path = "/output/checkpoint",
+         .kind = Kind::boolean,
+         .otherwise = "true",
+         .meaning = "Whether to save the state in `checkpoint.h5`, so that `abut run --resume` can go on: at the "
+                    "intervals below, when the run is interrupted and at its end. The last but one is kept as "
+                    "`checkpoint-previous.h5`."},
+        {.path = "/output/checkpoint_every",
+         .kind = Kind::quantity,
+         .dimension = dimensions::time,
+         .range = above(0),
+         .meaning = "Simulated time between two checkpoints."},
+        {.path = "/output/checkpoint_every_steps",
+         .kind = Kind::integer,
+         .range = at_least(1),
+         .meaning = "Steps between two checkpoints."},
+        {.path = "/output/checkpoint_every_wall",
+         .kind = Kind::quantity,
+         .dimension = dimensions::time,
+         .otherwise = quoted("10 min"),
+         .range = above(0),
+         .meaning = "Wall time between two checkpoints."},
     };
     keys.insert(keys.end(), others.begin(), others.end());
     return keys;

@@ -42,6 +42,7 @@ struct RunOptions {
     int threads = 0;                  ///< 0: all cores
     std::optional<std::string> until; ///< a time, as in a scene file
     bool overwrite = false;
+    bool resume = false; ///< goes on from the checkpoint in `output`
     bool quiet = false;
 };
 

@@ -48,7 +48,9 @@ int run_program(int argc, char** argv) {
     run->add_option("-o,--output", run_options.output, "result folder; default NAME-results");
     run->add_option("--threads", run_options.threads, "threads; default all cores")->check(CLI::Range(1, 1024));
     run->add_option("--until", run_options.until, "stop at this time, e.g. 3us (a plain number: seconds)");
-    run->add_flag("--overwrite", run_options.overwrite, "replace the results of an earlier run");
+    CLI::Option* overwrite =
+        run->add_flag("--overwrite", run_options.overwrite, "replace the results of an earlier run");
+    run->add_flag("--resume", run_options.resume, "go on from the checkpoint of an earlier run")->excludes(overwrite);
     run->add_flag("--quiet", run_options.quiet, "no progress");
     run->callback([&] { action = [&] { return run_command(run_options); }; });
 

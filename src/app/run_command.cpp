@@ -1,3 +1,4 @@
+#include "app/checkpoints.h"
 #include "app/commands.h"
 #include "app/run_files.h"
 #include "app/schedule.h"
@@ -17,6 +18,7 @@
 #include <chrono>
 #include <csignal>
 #include <ctime>
+#include <limits>
 
 namespace abut {
 
@@ -63,6 +65,30 @@ void make_ready(const std::filesystem::path& folder, const RunOptions& options, 
     }
 }
 
+/// Brings a new state to where an earlier run's checkpoint was.
+template <int D>
+OutputProgress resume_state(const std::filesystem::path& folder, const std::string& resolved_scene,
+                            std::uint64_t checksum, State<D>& state) {
+    const Resumption from = find_checkpoint(folder, resolved_scene, checksum);
+    try {
+        return read_checkpoint(from.file, state);
+    } catch (const std::runtime_error& error) {
+        throw UsageError(error.what());
+    }
+}
+
+/// Files of a new run, or those of the run that is resumed: if they don't fit, that is a mistake on the command line.
+template <int D>
+RunFiles open_files(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state,
+                    const std::optional<OutputProgress>& resumed) {
+    if (!resumed) return {folder, resolved_scene, state};
+    try {
+        return {folder, resolved_scene, state, &*resumed};
+    } catch (const std::runtime_error& error) {
+        throw UsageError(error.what());
+    }
+}
+
 /// Runs a scene in its number of dimensions.
 template <int D>
 int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::steady_clock::time_point start) {
@@ -75,19 +101,26 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     if (folder.empty()) folder = options.scene.scene.stem().string() + "-results";
     State<D> state = make_state<D>(loaded.scene, model);
     check_start(state, options.scene.scene);
-    make_ready(folder, options, loaded.scene);
+    const std::uint64_t checksum = model_checksum(model);
+    std::optional<OutputProgress> resumed;
+    if (options.resume)
+        resumed = resume_state(folder, loaded.resolved, checksum, state);
+    else
+        make_ready(folder, options, loaded.scene);
 
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
     std::signal(SIGXFSZ, SIG_IGN); // a file over the limit (ulimit -f) is then reported as a write that failed
     std::vector<Task<D>> tasks = step_tasks<D>(loaded.scene);
-    RunFiles files(folder, loaded.resolved, state);
+    RunFiles files = open_files(folder, loaded.resolved, state, resumed);
+    Checkpoints checkpoints(folder, loaded.resolved, checksum, loaded.scene.output);
     Progress progress(options.quiet ? ProgressMode::quiet : ProgressMode::automatic, end);
     RunTiming timing;
     timing.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
 
     Schedule history(history_interval(loaded.scene));
     history.due(0);
+    if (resumed) history.resume(state.time, resumed->history_every, resumed->history_next);
     const auto write_frames = [&](Frames which) {
         const auto writing = std::chrono::steady_clock::now();
         if (!files.write_frames(state, which)) return;
@@ -100,19 +133,35 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
         files.write_history(state);
         timing.output_seconds += seconds_since(writing);
     };
+    const auto write_checkpoint = [&] {
+        const auto writing = std::chrono::steady_clock::now();
+        OutputProgress output = files.progress();
+        output.history_every = history.every();
+        output.history_next = history.next();
+        checkpoints.write(state, output);
+        timing.output_seconds += seconds_since(writing);
+    };
     const auto finish = [&] {
         timing.wall_seconds = seconds_since(start);
         timing.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
         write_timing(folder / "timing.json", state, tasks, timing);
     };
 
-    write_frames(Frames::last);
-    write_history();
+    if (!resumed) {
+        write_frames(Frames::last);
+        write_history();
+    }
     bool history_written = true;
+    bool cut_short = false;
     try {
         while (state.time < end && !interrupted) {
+            const double full_step = next_step(state, std::numeric_limits<double>::infinity());
+            state.dt = std::min(full_step, end - state.time);
+            // A run that is resumed to a later end goes on from before a last step that was cut short for this end, as
+            // if it had never been made.
+            cut_short = state.dt < full_step;
+            if (cut_short || checkpoints.due(state)) write_checkpoint();
             const auto step_start = std::chrono::steady_clock::now();
-            state.dt = next_step(state, end);
             if (state.time + state.dt == state.time) {
                 if (end - state.time <= 1e-12 * end) break; // what is left of the run is round-off
                 throw RunError(fmt::format("step {}, time {:g} s: the time step has shrunk to {:g} s, which no longer "
@@ -133,12 +182,14 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
         finish();
         throw;
     }
+    if (!cut_short) write_checkpoint(); // before the rows and frames that only this end of the run calls for
     if (!history_written) write_history();
     write_frames(Frames::last);
     progress.finish();
     finish();
     if (interrupted && state.time < end) {
-        fmt::print(stderr, "interrupted at {}; the state is written in {}\n", format_time(state.time), folder.string());
+        fmt::print(stderr, "interrupted at {}; the state is written in {}{}\n", format_time(state.time),
+                   folder.string(), loaded.scene.output.checkpoint ? "; go on with --resume" : "");
         return 130;
     }
     return 0;

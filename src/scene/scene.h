@@ -464,8 +464,12 @@ struct OutputSpec {
     std::vector<std::string> bodies;                 ///< whose particles and contacts are written; empty: all
     bool single_precision = false;                   ///< reals in the series as float32
     std::optional<ContactCloudsSpec> contact_clouds; ///< scenes with contact
-    bool live = false;                               ///< a picture at each frame of the particles, live.png
-    std::string live_preset = "bodies";              ///< of that picture, as `abut render` has them
+    bool checkpoint = true;                          ///< whether a run can be resumed
+    std::optional<double> checkpoint_every;          ///< [s] of the simulation
+    std::optional<int> checkpoint_every_steps;
+    double checkpoint_every_wall = 600; ///< [s] of wall time
+    bool live = false;                  ///< a picture at each frame of the particles, live.png
+    std::string live_preset = "bodies"; ///< of that picture, as `abut render` has them
 };
 
 /// All of a scene file.

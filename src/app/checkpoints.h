@@ -1,0 +1,50 @@
+#pragma once
+#include "io/checkpoint/checkpoint.h"
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+namespace abut {
+
+/// The checkpoints of a run under way.
+class Checkpoints {
+public:
+    /// \param resolved_scene, checksum as write_checkpoint() takes them
+    Checkpoints(const std::filesystem::path& folder, std::string resolved_scene, std::uint64_t checksum,
+                const OutputSpec& output);
+
+    /// Whether one is due at the present state.
+    template <int D>
+    bool due(const State<D>& state);
+    /// Writes one, unless the scene wants none or the last is of the same step.
+    template <int D>
+    void write(const State<D>& state, const OutputProgress& output);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::filesystem::path file_;
+    std::string resolved_scene_;
+    std::uint64_t checksum_;
+    bool wanted_;
+    double every_;      ///< of the simulation [s]; 0: not by it
+    long every_steps_;  ///< 0: not by steps
+    double every_wall_; ///< [s]
+    double last_time_ = 0;
+    long last_step_ = -1;
+    Clock::time_point last_wall_ = Clock::now();
+};
+
+/// What a run is resumed from.
+struct Resumption {
+    std::filesystem::path file;
+    CheckpointHead head;
+};
+
+/// The newest checkpoint of a result folder that can be read, for a scene and a model that are the same as then.
+/// \throws UsageError that says what is missing or has changed
+Resumption find_checkpoint(const std::filesystem::path& folder, const std::string& resolved_scene,
+                           std::uint64_t checksum);
+
+} // namespace abut
