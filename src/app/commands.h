@@ -45,6 +45,13 @@ struct RunOptions {
     bool quiet = false;
 };
 
+struct RenderRequest {
+    std::filesystem::path results;
+    RenderOptions options; ///< its jobs 0: one for each core
+    std::string region;    ///< lengths, with units or in m, separated by commas; empty: everything
+    bool quiet = false;
+};
+
 /// What isn't given is chosen by the kind of grains.
 struct PackOptions {
     std::filesystem::path file; ///< its extension says what is written
@@ -77,7 +84,7 @@ int run_command(const RunOptions& options);
 /// \param png where to draw the bodies; empty: nowhere
 int check_command(const SceneOptions& options, const std::filesystem::path& png);
 int particles_command(const SceneOptions& options, ParticlesOptions preview);
-int render_command(const std::filesystem::path& results, const RenderOptions& options);
+int render_command(const RenderRequest& request);
 int pack_command(const PackOptions& options);
 int schema_command();
 int reference_command();

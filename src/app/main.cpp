@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -24,6 +25,75 @@ void add_scene(CLI::App& command, SceneOptions& options) {
     command.add_option("--set", options.set, "PTR=VALUE: sets a value of the scene by JSON pointer; may be repeated")
         ->type_name("PTR=VALUE")
         ->allow_extra_args(false);
+}
+
+void add_render(CLI::App& program, RenderRequest& request, std::vector<double>& range, std::vector<int>& frames,
+                std::function<int()>& action) {
+    CLI::App* render = program.add_subcommand("render", "Draws a result series as PNG pictures, without a display");
+    RenderOptions& options = request.options;
+    options.jobs = 0;
+    render->add_option("DIR", request.results, "result folder")->required();
+
+    const std::string what = "What is drawn";
+    std::string presets;
+    for (const std::string& name : render_presets()) presets += (presets.empty() ? "" : ", ") + name;
+    render->add_option("--preset", options.preset, "one of " + presets)->group(what);
+    render->add_option("--array", options.array, "particle array that colours the particles")->group(what);
+    render->add_option("--component", options.component, "of the array, from 0; default its magnitude")->group(what);
+    render->add_flag("--normals", options.normals, "arrows at the contact pairs in contact")->group(what);
+    const std::map<std::string, ParticleStyle> styles{
+        {"domains", ParticleStyle::domains}, {"ellipses", ParticleStyle::ellipses}, {"dots", ParticleStyle::dots}};
+    render
+        ->add_option("--particles", options.particles,
+                     "domains (deformed parallelograms, solids in 3D; default), ellipses (2D) or dots")
+        ->transform(CLI::Transformer(styles))
+        ->type_name("STYLE")
+        ->group(what);
+    render->add_option("--bodies", options.bodies, "NAME,NAME...: only these, and their contacts")
+        ->delimiter(',')
+        ->type_name("NAMES")
+        ->group(what);
+    render
+        ->add_option("--region", request.region,
+                     "X0,Y0,X1,Y1: only this part, e.g. 0.2mm,0,0.6mm,0.4mm; in 3D X0,Y0,Z0,X1,Y1,Z1")
+        ->type_name("LENGTHS")
+        ->group(what);
+    render->add_option("--frames", frames, "numbers of the frames to draw; default all")->group(what);
+    render->add_flag("--last", options.last_only, "only the last frame")->group(what);
+
+    const std::string how = "How it looks";
+    render->add_option("--range", range, "LOW HIGH of the colours, SI units; default: all values of all frames drawn")
+        ->expected(2)
+        ->group(how);
+    render
+        ->add_option("--percentile", options.percentile,
+                     "e.g. 99: the largest 1 % of each frame's values don't widen the range of the colours; default 99 "
+                     "for presets of stress and energy, else 100")
+        ->group(how);
+    render->add_option("--width", options.width, "pixels; default 1000")->check(CLI::Range(100, 8192))->group(how);
+    render->add_option("--height", options.height, "pixels; default: as the scene needs")
+        ->check(CLI::Range(100, 8192))
+        ->group(how);
+    render->add_flag("!--no-legend", options.legend, "no names of bodies, no colour bar")->group(how);
+
+    const std::string where = "Where it goes";
+    render->add_option("-o,--output", options.output, "folder of the pictures; default DIR/frames/<preset>")
+        ->group(where);
+    render->add_option("--animation", options.animation, "also all pictures in one file: .ogv, or .apng or .png")
+        ->type_name("FILE")
+        ->group(where);
+    render->add_option("--fps", options.fps, "pictures a second of the animation; default 10")
+        ->check(CLI::Range(1, 100))
+        ->group(where);
+    render->add_option("--jobs", options.jobs, "processes that draw; default: one for each core")
+        ->check(CLI::Range(1, 1024))
+        ->group(where);
+    render->add_flag("--quiet", request.quiet, "no progress, no closing line")->group(where);
+    render->callback([&] {
+        if (!range.empty()) options.range = {range[0], range[1]};
+        if (!frames.empty()) options.frames = frames;
+        action = [&] { return render_command(request); };
+    });
 }
 
 /// CLI11 would only say that a subcommand is missing.
@@ -70,28 +140,10 @@ int run_program(int argc, char** argv) {
     particles->add_flag("--no-png", preview.no_picture, "no picture");
     particles->callback([&] { action = [&] { return particles_command(particles_options, preview); }; });
 
-    std::filesystem::path results;
-    RenderOptions render_options;
+    RenderRequest picture;
     std::vector<double> range;
     std::vector<int> frames;
-    CLI::App* render = program.add_subcommand("render", "Draws a result series as PNG pictures, without a display");
-    render->add_option("DIR", results, "result folder")->required();
-    std::string presets;
-    for (const std::string& name : render_presets()) presets += (presets.empty() ? "" : ", ") + name;
-    render->add_option("--preset", render_options.preset, "one of " + presets);
-    render->add_option("--array", render_options.array, "particle array that colours the particles");
-    render->add_option("--component", render_options.component, "of the array; default its magnitude");
-    render->add_flag("--normals", render_options.normals, "arrows at the contact pairs in contact");
-    render->add_option("--width", render_options.width, "pixels")->check(CLI::Range(100, 8192));
-    render->add_option("--range", range, "LOW HIGH of the colours, SI units")->expected(2);
-    render->add_option("--frames", frames, "numbers of the frames to draw; default all");
-    render->add_flag("--last", render_options.last_only, "only the last frame");
-    render->add_option("-o,--output", render_options.output, "folder of the pictures; default DIR/frames/<preset>");
-    render->callback([&] {
-        if (!range.empty()) render_options.range = {range[0], range[1]};
-        if (!frames.empty()) render_options.frames = frames;
-        action = [&] { return render_command(results, render_options); };
-    });
+    add_render(program, picture, range, frames, action);
 
     PackOptions packing;
     CLI::App* pack = program.add_subcommand("pack", "Packs random grains densely, as a bitmap or as shapes of a scene");

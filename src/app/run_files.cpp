@@ -30,6 +30,13 @@ void write_to_series(PvdSeries& series, const char* name, const char* extension,
     series.append(frame.time, file);
 }
 
+template <int D>
+void draw_live(LivePicture& live, State<D>& state) {
+    std::optional<PointFrame> contact;
+    if (state.effects.contact && live.wants_contact()) contact = contact_frame(state);
+    live.draw(particle_frame(state), contact ? &*contact : nullptr);
+}
+
 } // namespace
 
 template <int D>
@@ -40,6 +47,10 @@ RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resol
     write_text_atomically(folder / "scene.json", resolved_scene);
     if (state.effects.contact && state.scene.output.pairs)
         pairs_.emplace(folder / "pairs.csv", with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns()));
+    const Scene& scene = state.scene;
+    if (scene.output.live)
+        live_.emplace(folder / "live.png", Bounds{scene.grid.lower, scene.grid.upper}, scene.title,
+                      scene.output.live_preset, scene.time.end);
 }
 
 template <int D>
@@ -82,6 +93,7 @@ std::optional<double> RunFiles::write_frames(State<D>& state) {
             }
         write_to_series(particles_, "particles", "vtu", frame_, frame, write_particles);
     }
+    if (live_) draw_live(*live_, state);
     if (output.grid.write) write_to_series(grid_, "grid", "vti", frame_, grid_frame(state), write_grid);
     if (output.contact.write && state.effects.contact)
         write_to_series(contact_, "contact", "vtp", frame_, contact_frame(state), write_contact);

@@ -1,4 +1,5 @@
 #pragma once
+#include "io/render/live_picture.h"
 #include "io/results/csv.h"
 #include "io/results/pvd.h"
 #include "step/state.h"
@@ -36,6 +37,7 @@ private:
     PvdSeries particles_;
     PvdSeries grid_;
     PvdSeries contact_;
+    std::optional<LivePicture> live_; ///< scenes that want one
     int frame_ = 0;
     double last_history_ = 0; ///< time of the last row
 };
