@@ -22,12 +22,12 @@ Rgb shown_body_colour(int body, const RenderOptions& options) {
 }
 
 std::vector<LegendItem> legend_of(const PointFrame& frame, const RenderOptions& options,
-                                  const std::vector<int>& bodies) {
+                                  const std::optional<std::set<int>>& bodies) {
     std::vector<LegendItem> legend;
     for (const Words& words : frame.words)
-        if (words.name == "body_names" && (words.values.size() <= legend_limit || !bodies.empty()))
+        if (words.name == "body_names" && (bodies ? bodies->size() : words.values.size()) <= legend_limit)
             for (int i = 0; i < static_cast<int>(words.values.size()); ++i)
-                if (bodies.empty() || std::count(bodies.begin(), bodies.end(), i) > 0)
+                if (!bodies || bodies->count(i) > 0)
                     legend.push_back({words.values[static_cast<std::size_t>(i)], shown_body_colour(i, options)});
     return legend;
 }
@@ -141,7 +141,7 @@ ShownValues joined(const ShownValues& a, const ShownValues& b) {
 }
 
 Look make_look(const PointFrame& first, const Bounds& bounds, const ShownValues& values, const RenderOptions& options,
-               const std::string& where, const std::vector<int>& bodies) {
+               const std::string& where, const std::optional<std::set<int>>& bodies) {
     const Array& array = chosen_array(first, options, where);
     if (options.particles == ParticleStyle::ellipses && !bounds.flat())
         throw RenderRequestError("ellipses are drawn in plane scenes only; in 3D there are domains and dots");
@@ -192,8 +192,7 @@ Picture compose(const PointFrame& frame, const PointFrame* contact, std::optiona
                  {40, 40, 40});
     }
     if (options.legend && look.separation) {
-        add_colour_bar(picture, layout, *look.separation, 70 * layout.unit);
-        add_arrow_key(picture, layout);
+        add_arrow_key(picture, layout, add_colour_bar(picture, layout, *look.separation, 70 * layout.unit));
     } else if (options.legend && look.scale) {
         add_colour_bar(picture, layout, *look.scale);
     }

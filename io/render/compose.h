@@ -7,6 +7,7 @@
 #include "io/render/values.h"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,7 @@ ShownValues joined(const ShownValues& a, const ShownValues& b);
 /// The look of pictures that show `bounds`, with colours for `values`, or for options.range if it is given. \param
 /// first any frame of the series \param where for messages \param bodies numbers of those drawn; none: all
 Look make_look(const PointFrame& first, const Bounds& bounds, const ShownValues& values, const RenderOptions& options,
-               const std::string& where, const std::vector<int>& bodies = {});
+               const std::string& where, const std::optional<std::set<int>>& bodies = {});
 
 /// The picture of a frame. \param contact the contact pairs, if they are wanted \param time of the label [s]; none: no
 /// label

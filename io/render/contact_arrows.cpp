@@ -126,9 +126,9 @@ double arrow_key_width(double unit) {
     return (24 + arrow_length + key_gap) * unit + text_width("in contact", key_font * unit);
 }
 
-void add_arrow_key(Picture& picture, const Layout& layout) {
+void add_arrow_key(Picture& picture, const Layout& layout, double top) {
     const double unit = layout.unit, left = std::round(layout.plot_upper[0] + 24 * unit);
-    double y = layout.plot_lower[1] + (key_line + 14) * unit;
+    double y = top - (key_line + 10) * unit;
     constexpr Rgb grey{150, 150, 150};
     for (const bool touching : {true, false}) {
         add_arrow_of_pair(picture.quads, {left, y}, {1, 0}, arrow_length * unit, unit, touching, grey);

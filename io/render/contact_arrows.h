@@ -22,8 +22,8 @@ void add_normals(Picture& picture, const PointFrame& contact, const Layout& layo
 /// the eye or away.
 void add_separations(Picture& picture, const PointFrame& contact, const Layout& layout, const ColourScale& scale);
 
-/// What the two kinds of arrows mean, below the colour bar.
-void add_arrow_key(Picture& picture, const Layout& layout);
+/// What the two kinds of arrows mean, below the height `top` [pixels].
+void add_arrow_key(Picture& picture, const Layout& layout, double top);
 /// Width of that [pixels].
 double arrow_key_width(double unit);
 

@@ -120,7 +120,7 @@ void add_scale_bar(Picture& picture, const Layout& layout) {
          ink});
 }
 
-void add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& scale, double below) {
+double add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& scale, double below) {
     const double unit = layout.unit, size = font * unit;
     const double left = pixel_centre(layout.plot_upper[0] + gap * unit), right = pixel_centre(left + bar_width * unit);
     double y = layout.plot_upper[1] - text_height(size);
@@ -161,6 +161,7 @@ void add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& s
                                   false,
                                   ink});
     }
+    return scale.below ? low - tip : low;
 }
 
 void add_legend(Picture& picture, const Layout& layout, const std::vector<LegendItem>& legend) {

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace abut {
@@ -73,7 +74,10 @@ void prepare(Job& job) {
     }
     ShownValues values;
     const bool wants_values = !options.range && (!by_body(options) || options.separations);
-    if (!bounds || wants_values) {
+    // The legend of a region names the bodies that come into it.
+    const bool wants_bodies = job.selection.region && by_body(options) && !options.separations && options.legend;
+    std::set<int> bodies;
+    if (!bounds || wants_values || wants_bodies) {
         Bounds points = nothing();
         std::vector<std::string> wanted{options.array, "body"};
         if (in_space || job.selection.region) wanted.insert(wanted.end(), {"half_size", "deformation_gradient"});
@@ -82,13 +86,15 @@ void prepare(Job& job) {
             PointFrame frame;
             if (!bounds || !options.separations) frame = job.particles(index, wanted);
             if (!bounds) extend(points, frame, in_space);
+            if (const Array* body = find_array(frame, "body"); body && wants_bodies)
+                for (const double number : values_of(*body, -1)) bodies.insert(static_cast<int>(number));
             if (wants_values) values = joined(values, shown_values(frame, contact ? &*contact : nullptr, options));
         }
         if (!bounds) bounds = around(points);
     }
-    std::vector<int> bodies;
-    if (job.selection.bodies) bodies.assign(job.selection.bodies->begin(), job.selection.bodies->end());
-    job.look = make_look(first, *bounds, values, options, where, bodies);
+    if (job.selection.bodies && !wants_bodies) bodies = *job.selection.bodies;
+    job.look = make_look(first, *bounds, values, options, where,
+                         wants_bodies || job.selection.bodies ? std::optional(bodies) : std::nullopt);
     job.look.title = job.source.title();
     job.look.end_time = job.source.series.entries.back().time;
 }

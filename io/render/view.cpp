@@ -110,7 +110,7 @@ bool add_ellipses(Quads& quads, const PointFrame& frame, const View& view, const
         constexpr double error = 0.15;
         const double radius = std::hypot(a[0], a[1], std::hypot(b[0], b[1])); // at least the longer semi-axis
         const double wanted = std::ceil(std::numbers::pi / 2 * std::sqrt(radius / (2 * error)));
-        const auto half = static_cast<std::size_t>(std::clamp(wanted, 3.0, 60.0)); // also of what is not a number
+        const auto half = static_cast<std::size_t>(std::fmax(3, std::fmin(60, wanted))); // 60 for what is not a number
         outline.resize(2 * half);
         for (std::size_t i = 0; i < half; ++i) {
             const double angle = std::numbers::pi * static_cast<double>(i) / static_cast<double>(half);

@@ -46,7 +46,7 @@ void add_render(CLI::App& program, RenderRequest& request, std::vector<double>& 
     render
         ->add_option("--particles", options.particles,
                      "domains (deformed parallelograms, solids in 3D; default), ellipses (2D) or dots")
-        ->transform(CLI::Transformer(styles))
+        ->transform(CLI::Transformer(styles).description(""))
         ->type_name("STYLE")
         ->group(what);
     render->add_option("--bodies", options.bodies, "NAME,NAME...: only these, and their contacts")
@@ -74,7 +74,10 @@ void add_render(CLI::App& program, RenderRequest& request, std::vector<double>& 
     render->add_option("--height", options.height, "pixels; default: as the scene needs")
         ->check(CLI::Range(100, 8192))
         ->group(how);
-    render->add_flag("!--no-legend", options.legend, "no names of bodies, no colour bar")->group(how);
+    render
+        ->add_flag_callback(
+            "--no-legend", [&] { options.legend = false; }, "no names of bodies, no colour bar")
+        ->group(how);
 
     const std::string where = "Where it goes";
     render->add_option("-o,--output", options.output, "folder of the pictures; default DIR/frames/<preset>")

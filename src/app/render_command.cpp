@@ -54,11 +54,13 @@ int render_command(const RenderRequest& request) {
         throw UsageError(error.what());
     }
     if (request.quiet || files.empty()) return 0;
-    if (options.animation.empty())
-        fmt::print("{} pictures; the last: {}\n", files.size(), files.back().string());
+    const bool animated = !options.animation.empty();
+    const std::size_t pictures = files.size() - (animated ? 1 : 0);
+    if (pictures == 1)
+        fmt::print("1 picture: {}", files.front().string());
     else
-        fmt::print("{} pictures in {}, and {}\n", files.size() - 1, files.front().parent_path().string(),
-                   files.back().string());
+        fmt::print("{} pictures; the last: {}", pictures, files[pictures - 1].string());
+    fmt::print("{}\n", animated ? "; and " + options.animation.string() : "");
     return 0;
 }
 
