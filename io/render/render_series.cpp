@@ -43,11 +43,14 @@ std::vector<int> chosen_frames(const RenderOptions& options, const PvdSeries& se
     const int count = static_cast<int>(series.entries.size());
     if (options.last_only) return {count - 1};
     if (options.frames) {
-        for (const int frame : *options.frames)
+        std::vector<int> chosen; // each once: two processes must not write the same file
+        for (const int frame : *options.frames) {
             if (frame < 0 || frame >= count)
                 throw RenderRequestError(
                     fmt::format("{}: no frame {}; there are 0 to {}", series.path.string(), frame, count - 1));
-        return *options.frames;
+            if (std::find(chosen.begin(), chosen.end(), frame) == chosen.end()) chosen.push_back(frame);
+        }
+        return chosen;
     }
     std::vector<int> all(static_cast<std::size_t>(count));
     std::iota(all.begin(), all.end(), 0);
