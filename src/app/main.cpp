@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -24,6 +25,24 @@ void add_scene(CLI::App& command, SceneOptions& options) {
     command.add_option("--set", options.set, "PTR=VALUE: sets a value of the scene by JSON pointer; may be repeated")
         ->type_name("PTR=VALUE")
         ->allow_extra_args(false);
+}
+
+void add_plot(CLI::App& command, std::filesystem::path& results, PlotOptions& options) {
+    command.add_option("DIR", results, "result folder")->required();
+    command.add_option("-o,--output", options.output, "folder of the pictures; default DIR/plots");
+    command.add_option("--columns", options.columns, "of the table, by commas; default the usual ones")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("--bodies", options.bodies, "names by commas, or all: curves of bodies.csv")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_flag("--pairs", options.pairs, "curves of pairs.csv; with --bodies only the pairs that they are in");
+    command.add_option("--against", options.against, "column of the axis across; default time");
+    command.add_option("--width", options.width, "pixels; default 1200")->check(CLI::Range(200, 8192));
+    command.add_option("--height", options.height, "pixels; default 800")->check(CLI::Range(200, 8192));
+    command.add_flag("--log-x", options.log_x, "logarithmic axis across");
+    command.add_flag("--log-y", options.log_y, "logarithmic axis upwards");
+    command.add_option("--title", options.title, "default: the scene's");
 }
 
 /// CLI11 would only say that a subcommand is missing.
@@ -93,6 +112,11 @@ int run_program(int argc, char** argv) {
         action = [&] { return render_command(results, render_options); };
     });
 
+    PlotOptions plot_options;
+    CLI::App* plot = program.add_subcommand("plot", "Draws the tables of a run as curves, without a display");
+    add_plot(*plot, results, plot_options);
+    plot->callback([&] { action = [&] { return plot_command(results, plot_options); }; });
+
     PackOptions packing;
     CLI::App* pack = program.add_subcommand("pack", "Packs random grains densely, as a bitmap or as shapes of a scene");
     pack->add_option("FILE", packing.file, "by its name: .png, .bmp or .tif a bitmap, .json a scene of shapes")
@@ -152,6 +176,7 @@ void wait_asleep(char** argv) {
 
 int main(int argc, char** argv) {
     abut::wait_asleep(argv);
+    std::signal(SIGXFSZ, SIG_IGN); // a file over the limit (ulimit -f) is then reported as a write that failed
     try {
         return abut::run_program(argc, argv);
     } catch (const abut::SceneError& error) {
