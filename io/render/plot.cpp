@@ -61,7 +61,9 @@ PlotScale scale_of(const Plot& plot, bool of_x) {
     std::vector<std::span<const double>> values;
     for (const PlotCurve& curve : plot.curves) values.emplace_back(of_x ? curve.x : curve.y);
     PlotAxisWishes wishes;
-    wishes.intervals = std::clamp(of_x ? plot.width / 170 : plot.height / 100, 2, 7);
+    // Widths of the longest usual label, and heights that look well.
+    wishes.intervals = std::clamp(
+        static_cast<int>(of_x ? plot.width / (7 * font_size(plot)) : plot.height / (4 * font_size(plot))), 2, 7);
     wishes.margin = !of_x;
     return plot_scale(of_x ? plot.x : plot.y, values, wishes);
 }

@@ -1,7 +1,7 @@
 #include "io/render/plot_columns.h"
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
 
 namespace abut {
 namespace {
@@ -47,6 +47,9 @@ ColumnMeaning meaning_of_column(std::string_view column) {
 }
 
 std::string words_of(std::string_view column) {
+    if (column == "dt") return "time step";
+    if (is_one_of(column, {"x", "y", "z"})) return "position " + std::string(column);
+    if (is_one_of(column, {"vx", "vy", "vz"})) return "velocity " + std::string(column.substr(1));
     std::string words(column);
     // The name of a boundary or a body stays as it is.
     std::size_t until = words.size(), from = 0;
@@ -66,7 +69,7 @@ std::vector<double> values_of(const CsvColumn& column) {
 }
 
 PlotAxis axis_of_column(const std::string& column, bool logarithmic) {
-    return {column == "dt" ? "time step" : words_of(column), meaning_of_column(column).unit, logarithmic};
+    return {words_of(column), meaning_of_column(column).unit, logarithmic};
 }
 
 } // namespace abut

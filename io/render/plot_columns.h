@@ -21,7 +21,7 @@ struct ColumnMeaning {
 
 ColumnMeaning meaning_of_column(std::string_view column);
 
-/// A column's name as words: "kinetic_energy" is "kinetic energy", "mean_stress_xx" "mean stress xx".
+/// A column's name as words: "kinetic_energy" is "kinetic energy", "vx" "velocity x".
 std::string words_of(std::string_view column);
 
 /// The column's values in the unit of its meaning.

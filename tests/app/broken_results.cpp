@@ -59,12 +59,12 @@ TEST(BrokenResults, SeriesWithMissingOrHalfFiles) {
     const struct {
         std::string file;
         Arguments command;
-    } cases[] = {{"particles/particles_00002.vtu", {"render", "results"}},
-                 {"grid/grid_00000.vti", {"render", "results"}},
-                 {"contact/contact_00003.vtp", {"render", "results", "--preset", "normals"}}};
+    } cases[] = {{"particles/particles_00002.vtu", {"render", "results", "--width", "200"}},
+                 {"grid/grid_00000.vti", {"render", "results", "--width", "200"}},
+                 {"contact/contact_00003.vtp", {"render", "results", "--preset", "normals", "--width", "200"}}};
     for (const auto& [file, command] : cases) {
         SCOPED_TRACE(file);
-        for (const double fraction : {0.0, 0.1, 0.5, 0.9, 0.99}) {
+        for (const double fraction : {0.0, 0.5, 0.9, 0.99}) {
             SCOPED_TRACE(fraction);
             const Results results;
             results.cut(file, fraction);
@@ -89,7 +89,7 @@ TEST(BrokenResults, SeriesWithABrokenList) {
         results.write("particles.pvd", text);
         expect_refusal(results.folder.abut({"render", "results"}), 1, {"results/particles.pvd: cannot read"});
     }
-    for (const std::string file : {"../secret.vtu", "/etc/passwd", "particles/../../secret.vtu", ""}) {
+    for (const std::string file : {"../secret.vtu", "/etc/passwd", "particles/../../secret.vtu"}) {
         SCOPED_TRACE(file);
         const Results results;
         results.folder.write("secret.vtu", finished_run().read("results/particles/particles_00000.vtu"));

@@ -65,8 +65,9 @@ TEST(OutputChoices, ArraysAndBodies) {
     ASSERT_FALSE(particles.points.empty());
     const auto& names = particles.words[0].values;
     for (const Array& array : particles.arrays)
-        if (array.name == "body")
+        if (array.name == "body") {
             for (const auto body : std::get<1>(array.values)) EXPECT_EQ(names[static_cast<std::size_t>(body)], "ball");
+        }
 }
 
 TEST(OutputChoices, FramesTellStepAndUnits) {

@@ -1,6 +1,6 @@
 // Tables read back: against CsvTable bit for bit, and files that are broken.
-#include "io/results/read_csv.h"
 #include "io/results/csv.h"
+#include "io/results/read_csv.h"
 #include "results_support.h"
 
 #include <bit>
@@ -81,6 +81,31 @@ TEST(ReadCsv, OnlyWholeRowsCount) {
     }
     EXPECT_EQ(read_of(folder, "a,b\r\n1,2\r\n").columns[1].numbers, std::vector<double>{2});
     EXPECT_EQ(read_of(folder, "a\n1\n\"x\nyz", {"a"}).rows, 1U);
+}
+
+TEST(ReadCsv, AFullDiskLeavesWholeRows) {
+    const TemporaryFolder folder;
+    for (const std::size_t limit : {100U, 1003U, 5000U}) {
+        CsvTable table(folder / "t.csv", {"row", "value"});
+        std::string error;
+        {
+            const DiskLimit full(limit);
+            error = error_of([&] {
+                for (int i = 0;; ++i) {
+                    for (int k = 0; k < 3; ++k) table.row({i, i / 7.0}); // reach the file together
+                    table.flush();
+                }
+            });
+        }
+        EXPECT_THAT(error, HasSubstr("t.csv: cannot write: File too large"));
+        const std::string text = read_text(folder / "t.csv");
+        EXPECT_EQ(text.back(), '\n');
+        EXPECT_LE(text.size(), limit);
+        EXPECT_GT(text.size() + 100, limit);
+        const CsvFile back = read_csv(folder / "t.csv");
+        EXPECT_EQ(back.rows % 3, 0U);
+        EXPECT_EQ(back.columns[1].numbers.back(), static_cast<double>(back.rows / 3 - 1) / 7.0);
+    }
 }
 
 TEST(ReadCsv, ErrorsNameFileLineAndCause) {

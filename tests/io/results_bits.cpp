@@ -82,7 +82,9 @@ void expect_bits(vtkDataArray* array, const std::vector<Value>& expected, int ty
 template <class Value>
 void expect_bits(const std::vector<Value>& found, const std::vector<Value>& expected) {
     ASSERT_EQ(found.size(), expected.size());
-    if (!expected.empty()) EXPECT_EQ(std::memcmp(found.data(), expected.data(), expected.size() * sizeof(Value)), 0);
+    if (!expected.empty()) {
+        EXPECT_EQ(std::memcmp(found.data(), expected.data(), expected.size() * sizeof(Value)), 0);
+    }
 }
 
 PointFrame hard_frame(std::size_t points) {
@@ -116,7 +118,9 @@ void expect_arrays(vtkDataSet& data, const std::vector<Array>& arrays) {
             expect_bits(found, *reals, VTK_DOUBLE);
         else
             expect_bits(found, std::get<std::vector<std::int32_t>>(array.values), VTK_INT);
-        if (found) EXPECT_EQ(found->GetNumberOfComponents(), array.components);
+        if (found) {
+            EXPECT_EQ(found->GetNumberOfComponents(), array.components);
+        }
     }
 }
 
@@ -166,6 +170,22 @@ TEST(Bits, ParticlesAreReadAsWritten) {
         expect_frame(*read<vtkXMLUnstructuredGridReader>(folder / "p.vtu"), frame);
         expect_frame(read_points(folder / "p.vtu"), frame);
     }
+}
+
+TEST(Bits, SinglePrecisionIsTheNearestFloat) {
+    const TemporaryFolder folder;
+    const PointFrame frame = hard_frame(4097);
+    const auto floats = [](const std::vector<double>& values) {
+        return std::vector<float>(values.begin(), values.end());
+    };
+    write_particles(folder / "p.vtu", frame, Reals::float32);
+    const auto data = read<vtkXMLUnstructuredGridReader>(folder / "p.vtu");
+    expect_bits(dynamic_cast<vtkPointSet&>(*data).GetPoints()->GetData(), floats(frame.points), VTK_FLOAT);
+    for (std::size_t i = 0; i < 3; ++i)
+        expect_bits(data->GetPointData()->GetArray(frame.arrays[i].name.c_str()),
+                    floats(std::get<0>(frame.arrays[i].values)), VTK_FLOAT);
+    expect_bits(data->GetPointData()->GetArray("body"), std::get<1>(frame.arrays[3].values), VTK_INT);
+    expect_fields(*data, frame.time); // in full
 }
 
 TEST(Bits, ContactIsReadAsWritten) {
