@@ -3,6 +3,7 @@
 /// The subcommands of the program. Each returns the exit code, and throws for what it cannot do: SceneError and
 /// UsageError mean exit code 2, everything else 1.
 
+#include "io/render/plot_results.h"
 #include "io/render/render_series.h"
 
 #include <cstdint>
@@ -85,6 +86,7 @@ int run_command(const RunOptions& options);
 int check_command(const SceneOptions& options, const std::filesystem::path& png);
 int particles_command(const SceneOptions& options, ParticlesOptions preview);
 int render_command(const RenderRequest& request);
+int plot_command(const std::filesystem::path& results, const PlotOptions& options);
 int pack_command(const PackOptions& options);
 int schema_command();
 int reference_command();

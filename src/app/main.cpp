@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -99,6 +100,24 @@ void add_render(CLI::App& program, RenderRequest& request, std::vector<double>& 
     });
 }
 
+void add_plot(CLI::App& command, std::filesystem::path& results, PlotOptions& options) {
+    command.add_option("DIR", results, "result folder")->required();
+    command.add_option("-o,--output", options.output, "folder of the pictures; default DIR/plots");
+    command.add_option("--columns", options.columns, "of the table, by commas; default the usual ones")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("--bodies", options.bodies, "names by commas, or all: curves of bodies.csv")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_flag("--pairs", options.pairs, "curves of pairs.csv; with --bodies only the pairs that they are in");
+    command.add_option("--against", options.against, "column of the axis across; default time");
+    command.add_option("--width", options.width, "pixels; default 1200")->check(CLI::Range(200, 8192));
+    command.add_option("--height", options.height, "pixels; default 800")->check(CLI::Range(200, 8192));
+    command.add_flag("--log-x", options.log_x, "logarithmic axis across");
+    command.add_flag("--log-y", options.log_y, "logarithmic axis upwards");
+    command.add_option("--title", options.title, "default: the scene's");
+}
+
 /// CLI11 would only say that a subcommand is missing.
 void check_command_name(const CLI::App& program, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return;
@@ -147,6 +166,12 @@ int run_program(int argc, char** argv) {
     std::vector<double> range;
     std::vector<int> frames;
     add_render(program, picture, range, frames, action);
+
+    std::filesystem::path results;
+    PlotOptions plot_options;
+    CLI::App* plot = program.add_subcommand("plot", "Draws the tables of a run as curves, without a display");
+    add_plot(*plot, results, plot_options);
+    plot->callback([&] { action = [&] { return plot_command(results, plot_options); }; });
 
     PackOptions packing;
     CLI::App* pack = program.add_subcommand("pack", "Packs random grains densely, as a bitmap or as shapes of a scene");
@@ -207,6 +232,7 @@ void wait_asleep(char** argv) {
 
 int main(int argc, char** argv) {
     abut::wait_asleep(argv);
+    std::signal(SIGXFSZ, SIG_IGN); // a file over the limit (ulimit -f) is then reported as a write that failed
     try {
         return abut::run_program(argc, argv);
     } catch (const abut::SceneError& error) {
