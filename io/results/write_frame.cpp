@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -50,13 +51,13 @@ vtkSmartPointer<vtkDataArray> borrow(const Array& array) {
     return result;
 }
 
-void add_point_arrays(vtkDataSet& data, const std::vector<Array>& arrays, std::size_t points) {
+void add_arrays(vtkDataSetAttributes& data, const std::vector<Array>& arrays, std::size_t tuples) {
     for (const Array& array : arrays) {
         const std::size_t length = std::visit([](const auto& values) { return values.size(); }, array.values);
-        if (array.components < 1 || length != points * static_cast<std::size_t>(array.components))
-            throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} points of {} components",
-                                                    array.name, length, points, array.components));
-        data.GetPointData()->AddArray(borrow(array));
+        if (array.components < 1 || length != tuples * static_cast<std::size_t>(array.components))
+            throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} tuples of {} components",
+                                                    array.name, length, tuples, array.components));
+        data.AddArray(borrow(array));
     }
 }
 
@@ -85,13 +86,17 @@ vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
     return cells;
 }
 
-void fill(vtkPointSet& data, const PointFrame& frame) {
-    if (frame.points.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
+void set_points(vtkPointSet& data, const std::vector<double>& coordinates) {
+    if (coordinates.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
-    points->SetData(borrow<vtkDoubleArray>(frame.points, 3));
+    points->SetData(borrow<vtkDoubleArray>(coordinates, 3));
     data.SetPoints(points);
-    add_point_arrays(data, frame.arrays, frame.points.size() / 3);
+}
+
+void fill(vtkPointSet& data, const PointFrame& frame) {
+    set_points(data, frame.points);
+    add_arrays(*data.GetPointData(), frame.arrays, frame.points.size() / 3);
     add_time_and_words(data, frame.time, frame.words);
     for (const Array& array : frame.globals) data.GetFieldData()->AddArray(borrow(array));
 }
@@ -146,12 +151,29 @@ void write_contact(const std::filesystem::path& path, const PointFrame& frame) {
     write<vtkXMLPolyDataWriter>(path, *data);
 }
 
+void write_surface(const std::filesystem::path& path, const SurfaceFrame& frame) {
+    vtkNew<vtkPolyData> data;
+    set_points(*data, frame.points);
+    vtkNew<vtkCellArray> lines, polygons;
+    for (const std::vector<std::int32_t>& cell : frame.cells) {
+        const bool line = cell.size() == 2;
+        if (line && polygons->GetNumberOfCells() > 0) throw std::invalid_argument("lines come before polygons");
+        const std::vector<vtkIdType> points(cell.begin(), cell.end());
+        (line ? lines : polygons)->InsertNextCell(static_cast<vtkIdType>(points.size()), points.data());
+    }
+    data->SetLines(lines);
+    data->SetPolys(polygons);
+    add_arrays(*data->GetCellData(), frame.arrays, frame.cells.size());
+    add_time_and_words(*data, frame.time, frame.words);
+    write<vtkXMLPolyDataWriter>(path, *data);
+}
+
 void write_grid(const std::filesystem::path& path, const GridFrame& frame) {
     vtkNew<vtkImageData> data;
     data->SetDimensions(frame.nodes.data());
     data->SetOrigin(frame.origin.data());
     data->SetSpacing(frame.spacing.data());
-    add_point_arrays(*data, frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()));
+    add_arrays(*data->GetPointData(), frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()));
     add_time_and_words(*data, frame.time, frame.words);
     write<vtkXMLImageDataWriter>(path, *data);
 }

@@ -1,0 +1,11 @@
+# name: abut: show contact
+"""ParaView macro. Contact arrows scaled by force and coloured by separation, bodies in grey, of the result folder that the active source belongs to.
+
+Macros > Import new macro... copies this file; it needs the plugin abut_plugin.py to be loaded.
+"""
+try:
+    from abut_paraview import views
+except ImportError:
+    raise RuntimeError("load the plugin abut_plugin.py first (Tools > Manage Plugins > Load New...)") from None
+
+views.run_macro(views.show_contact)
