@@ -48,22 +48,11 @@ def check_display():
                  '"-screen 0 1280x1024x24" pvbatch render_series.py ...')
 
 
-class Extent:
-    """Union of bounds and of a value's range."""
-
-    def __init__(self):
-        self.bounds, self.range = None, None
-
-    def add(self, source, array):
-        bounds = source.GetDataInformation().GetBounds()
-        if bounds[0] <= bounds[1]:
-            self.bounds = list(bounds) if self.bounds is None else [
-                (min, max)[i % 2](a, b) for i, (a, b) in enumerate(zip(self.bounds, bounds))]
-        found = source.CellData.GetArray(array) if array else None
-        if found is not None:
-            low, high = found.GetRange()
-            if low <= high:
-                self.range = (low, high) if self.range is None else (min(low, self.range[0]), max(high, self.range[1]))
+def union(a, b):
+    """Of two ranges (low, high, low, high ...), of which either may be None."""
+    if a is None or b is None:
+        return a or b
+    return [(min, max)[i % 2](x, y) for i, (x, y) in enumerate(zip(a, b))]
 
 
 def main():
@@ -90,27 +79,27 @@ def main():
         times = times[-1:] if chosen.last else times
         simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
         view.ViewTime = times[-1]
-        source, lut = getattr(views, f"show_{chosen.preset}")(chosen.results, view)
+        _, source, lut = getattr(views, f"show_{chosen.preset}")(chosen.results, view)
         array = {"bodies": None, "stress": "von_mises_stress", "contact": "separation"}[chosen.preset]
 
-        shown, valued = Extent(), Extent()
+        bounds = values = None
         for time in times:
-            simple.UpdatePipeline(time=time, proxy=particles)
-            shown.add(particles, None)
+            particles.UpdatePipeline(time)
+            box = particles.GetDataInformation().GetBounds()
+            bounds = union(bounds, box if box[0] <= box[1] else None)
             if array:
-                simple.UpdatePipeline(time=time, proxy=source)
-                valued.add(source, array)
-        if valued.range and array == "separation":
-            views.rescale_around_zero(lut, *valued.range)
-        elif valued.range:
-            lut.RescaleTransferFunction(*valued.range)
+                source.UpdatePipeline(time)
+                values = union(values, views.range_of(source, array))
+        if values and array == "separation":
+            views.rescale_around_zero(lut, *values)
+        elif values:
+            lut.RescaleTransferFunction(*values)
 
         label = simple.AnnotateTimeFilter(Input=particles, Format="t = {time:.4g} s")
         text = simple.Show(label, view)
         text.Color, text.FontSize, text.WindowLocation = [0, 0, 0], 18, "Upper Left Corner"
-        views.look_at(particles, view)
-        if shown.bounds:
-            view.ResetCamera(*shown.bounds)
+        views.look_at(particles, view, bounds)
+        view.OrientationAxesVisibility = 0 if views.is_flat(particles) else 1
 
         chosen.output.mkdir(parents=True, exist_ok=True)
         first = len(particles.TimestepValues) - len(times)

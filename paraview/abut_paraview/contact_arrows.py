@@ -1,6 +1,7 @@
 """Contact pairs as arrows: where bodies touch, how hard, and which way the detected normals point."""
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkGlyph3D
@@ -28,7 +29,7 @@ def spacing_of(points):
 def flat_arrow():
     """An arrow from 0 to 1 along x in the plane z = 0, two cells: a shaft and a head."""
     points, cells = vtkPoints(), vtkCellArray()
-    for x, y in ((0, -0.035), (0.68, -0.035), (0.68, 0.035), (0, 0.035), (0.68, -0.12), (1, 0), (0.68, 0.12)):
+    for x, y in ((0, -0.045), (0.65, -0.045), (0.65, 0.045), (0, 0.045), (0.65, -0.15), (1, 0), (0.65, 0.15)):
         points.InsertNextPoint(x, y, 0)
     for cell in ((0, 1, 2, 3), (4, 5, 6)):
         cells.InsertNextCell(len(cell), cell)
@@ -46,7 +47,7 @@ def _solid_arrow(resolution):
     return source.GetOutput()
 
 
-def contact_arrows(data, scale_by=BY_FORCE, length=2.0, reference=0.0, spacing=0.0, direction=NORMAL,
+def contact_arrows(data, scale_by=BY_FORCE, length=4.0, reference=0.0, spacing=0.0, direction=NORMAL,
                    only_in_contact=True, bodies="", resolution=8):
     """An arrow for each contact pair of `data` (a frame of contact.pvd), starting at the pair's node.
 
@@ -87,7 +88,7 @@ def contact_arrows(data, scale_by=BY_FORCE, length=2.0, reference=0.0, spacing=0
         return output, int(np.count_nonzero(~finite))
 
     if spacing <= 0:
-        spacing = spacing_of(points[finite])
+        spacing = spacing_of(points[np.isfinite(points).all(axis=1)])
         if spacing is None:  # one place: its share of the interface is about as wide as the grid's cells
             area = data.GetPointData().GetArray("area")
             spacing = max((area.GetTuple1(int(i)) for i in index), default=0) if area is not None else 0
@@ -116,6 +117,8 @@ def contact_arrows(data, scale_by=BY_FORCE, length=2.0, reference=0.0, spacing=0
     glyph.FillCellDataOn()
     glyph.Update()
     output.ShallowCopy(glyph.GetOutput())
+    if plane:  # the rotations leave round-off there
+        vtk_to_numpy(output.GetPoints().GetData())[:, 2] = 0
     for attributes in (output.GetPointData(), output.GetCellData()):
         for name in ("arrow length", "arrow direction", "GlyphScale", "GlyphVector"):
             attributes.RemoveArray(name)

@@ -145,8 +145,8 @@ def _lines(ends):
     return lines
 
 
-def _boundary(boundaries, number):
-    """The cells of one boundary as vtkPolyData of their own."""
+def _boundary(boundaries, number, surfaces):
+    """The cells of one boundary as vtkPolyData of their own, polygons as their outlines unless `surfaces`."""
     cells = np.flatnonzero(vtk_to_numpy(boundaries.GetCellData().GetArray("boundary")) == number)
     part = vtkPolyData()
     points, lines, polygons = vtkPoints(), vtkCellArray(), vtkCellArray()
@@ -154,7 +154,9 @@ def _boundary(boundaries, number):
     for cell in cells:
         corners = boundaries.GetCell(int(cell)).GetPoints()
         numbers = [points.InsertNextPoint(corners.GetPoint(i)) for i in range(corners.GetNumberOfPoints())]
-        (lines if len(numbers) == 2 else polygons).InsertNextCell(len(numbers), numbers)
+        if len(numbers) > 2 and not surfaces:
+            numbers.append(numbers[0])
+        (polygons if len(numbers) > 2 and surfaces else lines).InsertNextCell(len(numbers), numbers)
     part.SetPoints(points)
     part.SetLines(lines)
     part.SetPolys(polygons)
@@ -169,17 +171,18 @@ def _add(blocks, name, data):
     blocks.GetMetaData(number).Set(vtkCompositeDataSet.NAME(), name)
 
 
-def scene_blocks(model, particles_as=DOMAINS, grid_as=OUTLINE):
+def scene_blocks(model, particles_as=DOMAINS, grid_as=OUTLINE, surfaces=False):
     """A model of model_of() as a vtkMultiBlockDataSet: "bodies", "boundaries" with a block for each, "grid".
 
     particles_as: POINTS, or DOMAINS as deformed_particles() makes them. grid_as: NO_GRID, OUTLINE, LINES or IMAGE.
+    surfaces: whether boundaries of scenes in space are surfaces, which hide what is behind them, or their outlines.
     """
     particles, boundaries, grid = model
     blocks = vtkMultiBlockDataSet()
     _add(blocks, "bodies", deformed_particles(particles)[0] if particles_as == DOMAINS else particles)
     parts = vtkMultiBlockDataSet()
     for number, name in enumerate(arrays.words(boundaries, "boundary_names")):
-        _add(parts, name, _boundary(boundaries, number))
+        _add(parts, name, _boundary(boundaries, number, surfaces))
     _add(blocks, "boundaries", parts)
     if grid_as != NO_GRID:
         _add(blocks, "grid", grid if grid_as == IMAGE else grid_lines(grid) if grid_as == LINES else grid_outline(grid))

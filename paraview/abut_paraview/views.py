@@ -1,6 +1,7 @@
 """Views of results in ParaView: what the macros and render_series.py show. Needs ParaView and the plugin loaded.
 
-Each function shows a result folder in a render view. The folder is that of the active source: any series of the
+Each show_... shows a result folder in a render view and returns the deformed particles, the source that is coloured and
+the colour map. The folder is that of the active source: any series of the
 folder, or a filter after one. The folder's other series are opened as they are needed.
 """
 
@@ -8,13 +9,18 @@ import json
 import os
 from pathlib import Path
 
+import numpy as np
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import arrays
 
 COLOUR_MAPS = Path(__file__).resolve().parents[1] / "colour_maps"
 MOST_IN_LEGEND = 30
-GREYS = [0.86, 0.78, 0.91, 0.82]  # of neighbouring bodies behind arrows
+LEGEND_WIDTH = 0.2   # of the picture's width
+VIEWED_FROM, UP = [0.408, -0.802, 0.435], [0, 0, 1]  # of scenes in space, as `abut render` sees them
+SEEN_SCALE = 1.01    # of domains: neighbours overlap by a hair, so that no white pixels show between them
+GREYS = [0.88, 0.82, 0.93, 0.85]  # of neighbouring bodies behind arrows
 
 
 # === Where the data comes from
@@ -59,18 +65,35 @@ def active_folder():
     return None if file.suffix == ".json" else file.parent
 
 
+def _leaves(source):
+    """The datasets that a source shows now."""
+    proxy = source.GetClientSideObject()  # None on a remote server
+    data = proxy.GetOutputDataObject(0) if proxy is not None else simple.servermanager.Fetch(source)
+    if not data.IsA("vtkCompositeDataSet"):
+        return [data]
+    iterator = data.NewIterator()
+    iterator.InitTraversal()
+    leaves = []
+    while not iterator.IsDoneWithTraversal():
+        leaves.append(iterator.GetCurrentDataObject())
+        iterator.GoToNextItem()
+    return leaves
+
+
 def field_words(source, name):
     """A list of words in the field data of what a source shows now."""
-    proxy = source.GetClientSideObject()
-    data = proxy.GetOutputDataObject(0) if proxy is not None else simple.servermanager.Fetch(source)
-    if data.IsA("vtkCompositeDataSet") and not data.GetFieldData().HasArray(name):
-        iterator = data.NewIterator()
-        iterator.InitTraversal()
-        while not iterator.IsDoneWithTraversal():
-            if iterator.GetCurrentDataObject().GetFieldData().HasArray(name):
-                return arrays.words(iterator.GetCurrentDataObject(), name)
-            iterator.GoToNextItem()
-    return arrays.words(data, name)
+    return next((arrays.words(leaf, name) for leaf in _leaves(source) if leaf.GetFieldData().HasArray(name)), [])
+
+
+def range_of(source, array, percent=99.0):
+    """Range of a scalar cell array without the outermost values on either side, which would take all of the colours.
+
+    None if there are no values.
+    """
+    found = [leaf.GetCellData().GetArray(array) for leaf in _leaves(source) if hasattr(leaf, "GetCellData")]
+    values = np.concatenate([vtk_to_numpy(values) for values in found if values is not None] or [np.zeros(0)])
+    values = values[np.isfinite(values)]
+    return tuple(np.percentile(values, [100 - percent, percent])) if len(values) else None
 
 
 # === Colours
@@ -106,6 +129,12 @@ def _legend(lut, view, title):
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     bar.WindowLocation = "Upper Right Corner"
     bar.TitleFontSize = bar.LabelFontSize = 14
+    bar.HorizontalTitle = 1
+    if lut.InterpretValuesAsCategories:
+        count = len(lut.Annotations) // 2
+        bar.WindowLocation = "Any Location"
+        bar.ScalarBarLength = min(0.9, 0.035 * count)
+        bar.Position = [1 - 0.7 * LEGEND_WIDTH, 0.95 - bar.ScalarBarLength]
     return bar
 
 
@@ -132,11 +161,13 @@ def _domains(folder, view):
         source = next((s for s in simple.GetSources().values()
                        if s.GetXMLName() == "AbutDeformedParticles" and s.Input == particles), None)
         if source is None:
-            source = simple.DeformedParticles(Input=particles)
+            source = simple.DeformedParticles(Input=particles, Scale=SEEN_SCALE)
             simple.RenameSource("deformed particles", source)
         simple.Hide(particles, view)
     display = simple.Show(source, view)
     display.SetRepresentationType("Surface")
+    display.AmbientColor = display.DiffuseColor = [0.35, 0.35, 0.35]  # of what has no body: boundaries, grid
+    display.LineWidth = 2
     return source, display
 
 
@@ -146,18 +177,33 @@ def is_flat(source):
     return bounds[4] >= bounds[5]
 
 
-def look_at(source, view):
-    """Fits the view to a source; plane scenes are seen from above and turned no more."""
+def look_at(source, view, bounds=None):
+    """Fits the view to a source, or to bounds; plane scenes are seen from above, and beside the legend."""
+    bounds = bounds or source.GetDataInformation().GetBounds()
+    if bounds[0] > bounds[1]:
+        return
+    if bounds[4] < bounds[5]:
+        view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [0, 0, 0], VIEWED_FROM, UP
+        view.ResetCamera(*bounds)
+        return
+    view.InteractionMode = "2D"
+    width, height = bounds[1] - bounds[0], bounds[3] - bounds[2]
+    aspect = view.ViewSize[0] / view.ViewSize[1]
+    half = 0.54 * max(height, width / (aspect * (1 - LEGEND_WIDTH)), 1e-300)
+    x, y = (bounds[0] + bounds[1]) / 2 + LEGEND_WIDTH * half * aspect, (bounds[2] + bounds[3]) / 2
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint, view.CameraPosition = [x, y, bounds[4]], [x, y, bounds[4] + 4 * half]
+    view.CameraViewUp, view.CameraParallelScale = [0, 1, 0], half
+
+
+def _unshaded(source, display):
+    """Plane scenes need no light: colours are then exactly those of the map."""
     if is_flat(source):
-        view.InteractionMode = "2D"
-        bounds = source.GetDataInformation().GetBounds()
-        x, y = (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2
-        view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [x, y, 0], [x, y, 1], [0, 1, 0]
-    simple.ResetCamera(view)
+        display.Ambient, display.Diffuse, display.Specular = 1, 0, 0
 
 
 def _update(source, view):
-    simple.UpdatePipeline(time=view.ViewTime, proxy=source)
+    source.UpdatePipeline(view.ViewTime)  # simple.UpdatePipeline() takes time 0 for none
 
 
 def show_bodies(folder=None, view=None):
@@ -165,11 +211,12 @@ def show_bodies(folder=None, view=None):
     view = _view(view)
     source, display = _domains(folder, view)
     _update(source, view)
+    _unshaded(source, display)
     names = field_words(source, "body_names")
     lut = _categories(display, names, body_colours(len(names)))
     _legend(lut, view, "body")
     display.SetScalarBarVisibility(view, len(names) <= MOST_IN_LEGEND)
-    return source, lut
+    return source, source, lut
 
 
 def show_stress(folder=None, view=None, array="von_mises_stress", title="von Mises stress [Pa]"):
@@ -177,16 +224,17 @@ def show_stress(folder=None, view=None, array="von_mises_stress", title="von Mis
     view = _view(view)
     source, display = _domains(folder, view)
     _update(source, view)
+    _unshaded(source, display)
     if source.CellData.GetArray(array) is None:
         raise arrays.DataError(f'the particles have no array "{array}"'
                                f"{arrays.did_you_mean(array, list(source.CellData.keys()))}")
     simple.ColorBy(display, ("CELLS", array))
     lut = simple.GetColorTransferFunction(array)
     lut.ApplyPreset("Viridis (matplotlib)", True)
-    display.RescaleTransferFunctionToDataRange(False, True)
+    lut.RescaleTransferFunction(*(range_of(source, array) or (0, 1)))
     _legend(lut, view, title)
     display.SetScalarBarVisibility(view, True)
-    return source, lut
+    return source, source, lut
 
 
 def show_contact(folder, view=None):
@@ -197,6 +245,7 @@ def show_contact(folder, view=None):
     contact = series(folder, "contact")
     source, display = _domains(folder, view)
     _update(source, view)
+    _unshaded(source, display)
     display.UseSeparateColorMap = 1
     names = field_words(source, "body_names")
     _categories(display, names, [GREYS[body % len(GREYS)] for body in range(len(names)) for _ in range(3)])
@@ -213,16 +262,16 @@ def show_contact(folder, view=None):
     over.SetRepresentationType("Surface")
     if is_flat(source):  # in front of the bodies, in the same plane else
         bounds = source.GetDataInformation().GetBounds()
+        _unshaded(source, over)
         over.Position = [0, 0, 1e-3 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])]
     simple.ColorBy(over, ("CELLS", "separation"))
     lut = simple.GetColorTransferFunction("separation")
     preset = _preset("separation.json")
     lut.RGBPoints, lut.ColorSpace, lut.NanColor = preset["RGBPoints"], preset["ColorSpace"], preset["NanColor"]
-    rescale_around_zero(lut, *(arrows.CellData.GetArray("separation").GetRange()
-                               if arrows.CellData.GetArray("separation") is not None else (-1, 1)))
+    rescale_around_zero(lut, *(range_of(arrows, "separation") or (-1, 1)))
     _legend(lut, view, "separation [m]")
     over.SetScalarBarVisibility(view, True)
-    return arrows, lut
+    return source, arrows, lut
 
 
 def rescale_around_zero(lut, low, high):
@@ -236,10 +285,9 @@ def run_macro(show):
     try:
         view = _view(None)
         active = simple.GetActiveSource()
-        source = show(active_folder(), view)[0]
-        look_at(source, view)
+        look_at(show(active_folder(), view)[0], view)
         simple.Render(view)
-        simple.SetActiveSource(source if active is None else active)
+        simple.SetActiveSource(active)
     except arrays.DataError as error:
         from vtkmodules.vtkCommonCore import vtkOutputWindow
         vtkOutputWindow.GetInstance().DisplayErrorText(f"{error}\n")

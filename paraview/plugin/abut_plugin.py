@@ -109,14 +109,17 @@ class AbutFilter(AbutAlgorithm):
   <FileListDomain name="files"/><Documentation>Scene file of abut (JSON).</Documentation>
 </StringVectorProperty>""")
 @smproperty.xml(choice("Particles", "set_particles", [(0, "points"), (1, "domains")], 1,
-                       "Particles as points, for filters, or as the domains that they stand for.", "Particles as"))
+                       "Particles as points, for filters, or as the domains that they stand for.", "Particles"))
 @smproperty.xml(choice("Grid", "set_grid", [(0, "none"), (1, "outline"), (2, "lines"), (3, "image data")], 1,
                        "The grid: the edges of its box, the lines of its cells (in 3D those on the box's sides), or "
-                       "image data.", "Grid as"))
+                       "image data.", "Grid"))
+@smproperty.xml(choice("Boundaries", "set_boundaries", [(0, "outlines"), (1, "surfaces")], 0,
+                       "Walls and faces of scenes in space: their outlines, or surfaces, which hide what is behind.",
+                       "Boundaries"))
 @smproperty.xml(value("String", "Program", "set_program", "",
                       "Path of the program abut; empty: environment variable ABUT, the PATH, the build folder of the "
                       "source tree.", "Program"))
-@smproperty.xml('<Property name="Refresh" command="refresh" panel_widget="command_button" label="Read again">'
+@smproperty.xml('<Property name="Refresh" command="refresh" panel_widget="command_button" label="Read Again">'
                 "<Documentation>Read the scene again, also if only its images have changed.</Documentation></Property>")
 class AbutScene(AbutAlgorithm):
     """Bodies, boundaries and grid of a scene file before any run, as `abut particles` makes them."""
@@ -124,6 +127,7 @@ class AbutScene(AbutAlgorithm):
     def __init__(self):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkMultiBlockDataSet")
         self.file, self.program, self.particles, self.grid = "", "", scene.DOMAINS, scene.OUTLINE
+        self.surfaces = False
         self.cache = scene.SceneCache()
 
     def set_file(self, name):
@@ -135,6 +139,9 @@ class AbutScene(AbutAlgorithm):
     def set_grid(self, kind):
         self.set(grid=kind)
 
+    def set_boundaries(self, surfaces):
+        self.set(surfaces=bool(surfaces))
+
     def set_program(self, path):
         self.set(program=path or "")
 
@@ -145,7 +152,8 @@ class AbutScene(AbutAlgorithm):
     def fill(self, inputs, outputs):
         if not self.file:
             raise DataError("abut scene: no file is chosen")
-        made = scene.scene_blocks(self.cache.model(self.file, self.program), self.particles, self.grid)
+        made = scene.scene_blocks(self.cache.model(self.file, self.program), self.particles, self.grid,
+                                  self.surfaces)
         vtkMultiBlockDataSet.GetData(outputs, 0).ShallowCopy(made)
 
 
@@ -154,8 +162,8 @@ class AbutScene(AbutAlgorithm):
 @smproperty.input(name="Input", port_index=0)
 @smdomain.datatype(dataTypes=["vtkPolyData", "vtkCompositeDataSet"], composite_data_supported=True)
 @smproperty.xml(choice("ScaleBy", "set_scale_by", [(0, "force"), (1, "area"), (2, "fixed length")], 0,
-                       "What the lengths of the arrows show.", "Scale by"))
-@smproperty.xml(value("Double", "Length", "set_length", 2,
+                       "What the lengths of the arrows show.", "Scale By"))
+@smproperty.xml(value("Double", "Length", "set_length", 4,
                       "Length of the longest arrow (or of one whose value is Reference), in spacings of the grid.",
                       "Length"))
 @smproperty.xml(value("Double", "Reference", "set_reference", 0,
@@ -166,7 +174,7 @@ class AbutScene(AbutAlgorithm):
 @smproperty.xml(choice("Direction", "set_direction", [(0, "normal"), (1, "force")], 0,
                        "Arrows along the normal, from body_a to body_b, or along the force on body_a.", "Direction"))
 @smproperty.xml(flag("OnlyInContact", "set_only_in_contact", True,
-                     "Only pairs that a force acted on in the last step.", "Only in contact"))
+                     "Only pairs that a force acted on in the last step.", "Only In Contact"))
 @smproperty.xml(value("String", "Bodies", "set_bodies", "",
                       "Only pairs of these bodies: names or numbers with commas between; empty: all.", "Bodies"))
 class AbutContactView(AbutFilter):
@@ -177,7 +185,7 @@ class AbutContactView(AbutFilter):
 
     def __init__(self):
         super().__init__(nInputPorts=1, nOutputPorts=1, outputType="vtkPolyData")
-        self.scale_by, self.length, self.reference, self.spacing = contact_arrows.BY_FORCE, 2.0, 0.0, 0.0
+        self.scale_by, self.length, self.reference, self.spacing = contact_arrows.BY_FORCE, 4.0, 0.0, 0.0
         self.direction, self.only_in_contact, self.bodies = contact_arrows.NORMAL, True, ""
 
     def set_scale_by(self, kind):
