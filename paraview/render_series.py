@@ -60,8 +60,8 @@ def main():
     try:
         import paraview
     except ImportError:
-        sys.exit("render_series.py: no Python module paraview here; run it with pvbatch, and on Debian with the package "
-                 "python3-paraview (or the folder that .ci/paraview.sh names on PYTHONPATH)")
+        sys.exit("render_series.py: no Python module paraview here; run it with pvbatch, and on Debian with the "
+                 "package python3-paraview (or with the folder that .ci/paraview.sh names on PYTHONPATH)")
     check_display()
     from paraview import simple
 

@@ -6,7 +6,9 @@ from .arrays import DataError
 
 
 def map_leaves(data, applies, convert, who, wanted):
-    """The composite `data` (a vtkMultiBlockDataSet keeps its structure) with `convert` applied to each dataset that it `applies` to; all others stay as they are.
+    """The composite `data` with `convert` applied to each dataset that it `applies` to; all others stay as they are.
+
+    A vtkMultiBlockDataSet keeps its structure, the leaves of other kinds become blocks one after the other.
 
     Raises DataError if there is none; `wanted` says what was looked for.
     """

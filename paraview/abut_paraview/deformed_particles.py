@@ -62,7 +62,7 @@ def deformed_particles(data, shape=DOMAINS, scale=1.0, resolution=16):
     scale: of every domain about its centre; 0.9 shows the single domains.
     Returns (vtkUnstructuredGrid, number of particles left out because their place or shape is not a number). All point
     arrays of the input become cell arrays. `displacement` is given at the points too, varying over each domain as it
-    deforms: Warp By Vector with a factor of -1 gives the undeformed domains. Raises arrays.DataError for missing arrays.
+    deforms: Warp By Vector with a factor of -1 gives the undeformed domains. Raises arrays.DataError.
     """
     half_size = arrays.point_array(data, "half_size", 3, WHO).astype(float, copy=False)
     gradient = arrays.point_array(data, "deformation_gradient", 9, WHO).astype(float, copy=False)

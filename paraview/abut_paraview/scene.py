@@ -38,8 +38,8 @@ def find_program(given=""):
         built = source / "build" / folder / "abut"
         if os.access(built, os.X_OK):
             return str(built)
-    raise arrays.DataError(f"abut: the program was not found: not in $ABUT, not on the PATH, not in {source}/build/release. "
-                           "Give its path in the property Program or in the environment variable ABUT.")
+    raise arrays.DataError("abut: the program was not found: not in $ABUT, not on the PATH, not in "
+                           f"{source}/build/release. Give its path in the property Program or in the environment variable ABUT.")
 
 
 def _environment():

@@ -59,6 +59,28 @@ def series(folder, name):
     return source
 
 
+def _filter_after(source, name, label, **properties):
+    """The filter of that XML name after a source: the one that is there, else a new one with these properties.
+
+    paraview.simple knows our filters only in scripts that loaded the plugin themselves, hence this longer way.
+    """
+    for present in simple.GetSources().values():
+        if present.GetXMLName() == name and present.Input == source:
+            return present
+    controller = simple.servermanager.ParaViewPipelineController()
+    proxy = simple.servermanager.CreateProxy("filters", name)
+    if proxy is None:
+        raise arrays.DataError("abut: load the plugin abut_plugin.py first (Tools > Manage Plugins)")
+    controller.PreInitializeProxy(proxy)
+    created = simple.servermanager._getPyProxy(proxy)
+    created.Input = source
+    for key, setting in properties.items():
+        setattr(created, key, setting)
+    controller.PostInitializeProxy(proxy)
+    controller.RegisterPipelineProxy(proxy, label)
+    return created
+
+
 def active_folder():
     """The result folder of the active source, or None if that is a scene file."""
     file = file_of(simple.GetActiveSource())
@@ -158,11 +180,7 @@ def _domains(folder, view):
             source = source.Input
     else:
         particles = series(folder, "particles")
-        source = next((s for s in simple.GetSources().values()
-                       if s.GetXMLName() == "AbutDeformedParticles" and s.Input == particles), None)
-        if source is None:
-            source = simple.DeformedParticles(Input=particles, Scale=SEEN_SCALE)
-            simple.RenameSource("deformed particles", source)
+        source = _filter_after(particles, "AbutDeformedParticles", "deformed particles", Scale=SEEN_SCALE)
         simple.Hide(particles, view)
     display = simple.Show(source, view)
     display.SetRepresentationType("Surface")
@@ -251,11 +269,7 @@ def show_contact(folder, view=None):
     _categories(display, names, [GREYS[body % len(GREYS)] for body in range(len(names)) for _ in range(3)])
     display.SetScalarBarVisibility(view, False)
 
-    arrows = next((s for s in simple.GetSources().values() if s.GetXMLName() == "AbutContactView" and s.Input == contact),
-                  None)
-    if arrows is None:
-        arrows = simple.ContactView(Input=contact)
-        simple.RenameSource("contact view", arrows)
+    arrows = _filter_after(contact, "AbutContactView", "contact view")
     simple.Hide(contact, view)
     over = simple.Show(arrows, view)
     _update(arrows, view)

@@ -1,5 +1,4 @@
-# name: abut: show bodies
-"""ParaView macro. Deformed particles in the colours of their bodies, of the result folder that the active source belongs to.
+"""ParaView macro. Deformed particles in the colours of their bodies, of the active source's result folder.
 
 Macros > Import new macro... copies this file; it needs the plugin abut_plugin.py to be loaded.
 """

@@ -1,5 +1,4 @@
-# name: abut: show contact
-"""ParaView macro. Contact arrows scaled by force and coloured by separation, bodies in grey, of the result folder that the active source belongs to.
+"""ParaView macro. Contact arrows scaled by force and coloured by separation over grey bodies, of the active source's results.
 
 Macros > Import new macro... copies this file; it needs the plugin abut_plugin.py to be loaded.
 """

@@ -1,5 +1,4 @@
-# name: abut: show stress
-"""ParaView macro. Deformed particles coloured by von Mises stress, of the result folder that the active source belongs to.
+"""ParaView macro. Deformed particles coloured by von Mises stress, of the active source's result folder.
 
 Macros > Import new macro... copies this file; it needs the plugin abut_plugin.py to be loaded.
 """

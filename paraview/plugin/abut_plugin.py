@@ -39,6 +39,11 @@ def value(kind, name, method, default, text, label, domain=""):
             f'default_values="{default}">{domain}<Documentation>{text}</Documentation></{kind}VectorProperty>')
 
 
+def properties(*xmls):
+    """Properties in the order of the panel: ParaView shows those of single decorators from the last to the first."""
+    return "".join(xmls)
+
+
 def flag(name, method, default, text, label):
     return value("Int", name, method, int(default), text, label, '<BooleanDomain name="bool"/>')
 
@@ -103,24 +108,25 @@ class AbutFilter(AbutAlgorithm):
 @smproxy.reader(name="AbutScene", label="abut scene", extensions="json", file_description="abut scene",
                 support_reload=False)
 @smhint.xml('<ReloadFiles property="Refresh"/>')
-@smproperty.xml("""
+@smproperty.xml(properties(
+    """
 <StringVectorProperty name="FileName" command="set_file" number_of_elements="1" animateable="0"
                       panel_visibility="never">
   <FileListDomain name="files"/><Documentation>Scene file of abut (JSON).</Documentation>
-</StringVectorProperty>""")
-@smproperty.xml(choice("Particles", "set_particles", [(0, "points"), (1, "domains")], 1,
-                       "Particles as points, for filters, or as the domains that they stand for.", "Particles"))
-@smproperty.xml(choice("Grid", "set_grid", [(0, "none"), (1, "outline"), (2, "lines"), (3, "image data")], 1,
-                       "The grid: the edges of its box, the lines of its cells (in 3D those on the box's sides), or "
-                       "image data.", "Grid"))
-@smproperty.xml(choice("Boundaries", "set_boundaries", [(0, "outlines"), (1, "surfaces")], 0,
-                       "Walls and faces of scenes in space: their outlines, or surfaces, which hide what is behind.",
-                       "Boundaries"))
-@smproperty.xml(value("String", "Program", "set_program", "",
-                      "Path of the program abut; empty: environment variable ABUT, the PATH, the build folder of the "
-                      "source tree.", "Program"))
-@smproperty.xml('<Property name="Refresh" command="refresh" panel_widget="command_button" label="Read Again">'
-                "<Documentation>Read the scene again, also if only its images have changed.</Documentation></Property>")
+</StringVectorProperty>""",
+    choice("Particles", "set_particles", [(0, "points"), (1, "domains")], 1,
+           "Particles as points, for filters, or as the domains that they stand for.", "Particles"),
+    choice("Grid", "set_grid", [(0, "none"), (1, "outline"), (2, "lines"), (3, "image data")], 1,
+           "The grid: the edges of its box, the lines of its cells (in 3D those on the box's sides), or "
+           "image data.", "Grid"),
+    choice("Boundaries", "set_boundaries", [(0, "outlines"), (1, "surfaces")], 0,
+           "Walls and faces of scenes in space: their outlines, or surfaces, which hide what is behind.",
+           "Boundaries"),
+    value("String", "Program", "set_program", "",
+          "Path of the program abut; empty: environment variable ABUT, the PATH, the build folder of the "
+          "source tree.", "Program"),
+    '<Property name="Refresh" command="refresh" panel_widget="command_button" label="Read Again">'
+    "<Documentation>Read the scene again, also if only its images have changed.</Documentation></Property>"))
 class AbutScene(AbutAlgorithm):
     """Bodies, boundaries and grid of a scene file before any run, as `abut particles` makes them."""
 
@@ -161,22 +167,23 @@ class AbutScene(AbutAlgorithm):
 @smhint.xml('<ShowInMenu category="abut"/>')
 @smproperty.input(name="Input", port_index=0)
 @smdomain.datatype(dataTypes=["vtkPolyData", "vtkCompositeDataSet"], composite_data_supported=True)
-@smproperty.xml(choice("ScaleBy", "set_scale_by", [(0, "force"), (1, "area"), (2, "fixed length")], 0,
-                       "What the lengths of the arrows show.", "Scale By"))
-@smproperty.xml(value("Double", "Length", "set_length", 4,
-                      "Length of the longest arrow (or of one whose value is Reference), in spacings of the grid.",
-                      "Length"))
-@smproperty.xml(value("Double", "Reference", "set_reference", 0,
-                      "Force (N) or area (m^2) of an arrow of that length; 0: the frame's largest. Give it to compare "
-                      "frames.", "Reference"))
-@smproperty.xml(value("Double", "Spacing", "set_spacing", 0,
-                      "Spacing of the grid (m); 0: found from the places of the pairs.", "Spacing"))
-@smproperty.xml(choice("Direction", "set_direction", [(0, "normal"), (1, "force")], 0,
-                       "Arrows along the normal, from body_a to body_b, or along the force on body_a.", "Direction"))
-@smproperty.xml(flag("OnlyInContact", "set_only_in_contact", True,
-                     "Only pairs that a force acted on in the last step.", "Only In Contact"))
-@smproperty.xml(value("String", "Bodies", "set_bodies", "",
-                      "Only pairs of these bodies: names or numbers with commas between; empty: all.", "Bodies"))
+@smproperty.xml(properties(
+    choice("ScaleBy", "set_scale_by", [(0, "force"), (1, "area"), (2, "fixed length")], 0,
+           "What the lengths of the arrows show.", "Scale By"),
+    value("Double", "Length", "set_length", 4,
+          "Length of the longest arrow (or of one whose value is Reference), in spacings of the grid.",
+          "Length"),
+    value("Double", "Reference", "set_reference", 0,
+          "Force (N) or area (m^2) of an arrow of that length; 0: the frame's largest. Give it to compare "
+          "frames.", "Reference"),
+    value("Double", "Spacing", "set_spacing", 0,
+          "Spacing of the grid (m); 0: found from the places of the pairs.", "Spacing"),
+    choice("Direction", "set_direction", [(0, "normal"), (1, "force")], 0,
+           "Arrows along the normal, from body_a to body_b, or along the force on body_a.", "Direction"),
+    flag("OnlyInContact", "set_only_in_contact", True,
+         "Only pairs that a force acted on in the last step.", "Only In Contact"),
+    value("String", "Bodies", "set_bodies", "",
+          "Only pairs of these bodies: names or numbers with commas between; empty: all.", "Bodies")))
 class AbutContactView(AbutFilter):
     """Arrows at contact pairs (contact.pvd)."""
 
@@ -225,12 +232,13 @@ class AbutContactView(AbutFilter):
 @smhint.xml('<ShowInMenu category="abut"/>')
 @smproperty.input(name="Input", port_index=0)
 @smdomain.datatype(dataTypes=["vtkPointSet", "vtkCompositeDataSet"], composite_data_supported=True)
-@smproperty.xml(choice("Shape", "set_shape", [(0, "domains"), (1, "ellipses")], 0,
-                       "Parallelograms (3D: parallelepipeds), or ellipses (3D: ellipsoids) within them.", "Shape"))
-@smproperty.xml(value("Double", "Scale", "set_scale", 1,
-                      "Of each domain about its centre; 0.9 shows the single particles.", "Scale"))
-@smproperty.xml(value("Int", "Resolution", "set_resolution", 16, "Corners of an ellipse.", "Resolution",
-                      '<IntRangeDomain name="range" min="3" max="128"/>'))
+@smproperty.xml(properties(
+    choice("Shape", "set_shape", [(0, "domains"), (1, "ellipses")], 0,
+           "Parallelograms (3D: parallelepipeds), or ellipses (3D: ellipsoids) within them.", "Shape"),
+    value("Double", "Scale", "set_scale", 1,
+          "Of each domain about its centre; 0.9 shows the single particles.", "Scale"),
+    value("Int", "Resolution", "set_resolution", 16, "Corners of an ellipse.", "Resolution",
+          '<IntRangeDomain name="range" min="3" max="128"/>')))
 class AbutDeformedParticles(AbutFilter):
     """Particles (particles.pvd) as the domains that they stand for."""
 

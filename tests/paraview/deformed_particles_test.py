@@ -5,7 +5,7 @@ from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYGON, VTK_QUAD,
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 
 from abut_paraview.arrays import DataError
-from abut_paraview.deformed_particles import ELLIPSES, deformed_particles, is_particles
+from abut_paraview.deformed_particles import DOMAINS, ELLIPSES, deformed_particles, is_particles
 
 
 class DeformedParticles(unittest.TestCase):
@@ -19,7 +19,8 @@ class DeformedParticles(unittest.TestCase):
             self.assertAlmostEqual(area, np.linalg.det(F[p, :2, :2]) * 4 * r[p, 0] * r[p, 1], delta=1e-13)
             np.testing.assert_allclose(centre, x[p, :2], atol=1e-12)
             # The first edge runs along the first column of F.
-            np.testing.assert_allclose(corners(output, p)[1] - corners(output, p)[0], 2 * r[p, 0] * F[p, :, 0], atol=1e-13)
+            edge = corners(output, p)[1] - corners(output, p)[0]
+            np.testing.assert_allclose(edge, 2 * r[p, 0] * F[p, :, 0], atol=1e-13)
 
     def test_volumes_of_hexahedra(self):
         data, x, r, F = particles(40, plane=False)
@@ -95,9 +96,10 @@ class DeformedParticles(unittest.TestCase):
         self.assertAlmostEqual(area, np.linalg.det(F[0, :2, :2]) * 4 * r[0, 0] * r[0, 1], delta=1e-6)
 
     def test_nothing_gives_nothing(self):
-        for empty in (dataset([], {"half_size": np.zeros((0, 3)), "deformation_gradient": np.zeros((0, 9))},
-                              vtkUnstructuredGrid),):
-            output, left_out = deformed_particles(empty)
+        empty = dataset([], {"half_size": np.zeros((0, 3)), "deformation_gradient": np.zeros((0, 9))},
+                        vtkUnstructuredGrid)
+        for shape in (DOMAINS, ELLIPSES):
+            output, left_out = deformed_particles(empty, shape)
             self.assertEqual((output.GetNumberOfCells(), output.GetNumberOfPoints(), left_out), (0, 0, 0))
 
     def test_missing_or_unfit_arrays_are_named(self):

@@ -17,6 +17,7 @@ HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parents[1]
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkIOImage import vtkPNGReader
 import numpy as np
 
@@ -156,8 +157,10 @@ class InParaView(unittest.TestCase):
         contact = self.open("contact.pvd")
         wrong = simple.DeformedParticles(Input=contact)
         said = []
-        from vtkmodules.vtkCommonCore import vtkOutputWindow
-        def listen(window, event, text="") : said.append(text)
+
+        def listen(window, event, text=""):
+            said.append(text)
+
         listen.CallDataType = "string0"
         observer = vtkOutputWindow.GetInstance().AddObserver("ErrorEvent", listen)
         self.assertEqual(data_of(wrong, 0.0).GetNumberOfCells(), 0)
@@ -174,7 +177,8 @@ class InParaView(unittest.TestCase):
         self.assertEqual(data_of(scene).GetNumberOfBlocks(), 2)
         self.assertTrue(data_of(scene).GetBlock(0).GetPointData().HasArray("half_size"))
         domains = simple.DeformedParticles(Input=scene)
-        self.assertEqual(data_of(domains).GetBlock(0).GetNumberOfCells(), data_of(scene).GetBlock(0).GetNumberOfPoints())
+        particles = data_of(scene).GetBlock(0).GetNumberOfPoints()
+        self.assertEqual(data_of(domains).GetBlock(0).GetNumberOfCells(), particles)
 
     def test_colour_maps_are_imported(self):
         for file, name in (("bodies", "abut bodies"), ("separation", "abut separation")):
