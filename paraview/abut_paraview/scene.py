@@ -39,7 +39,7 @@ def find_program(given=""):
         if os.access(built, os.X_OK):
             return str(built)
     raise arrays.DataError("abut: the program was not found: not in $ABUT, not on the PATH, not in "
-                           f"{source}/build/release. Give its path in the property Program or in the environment variable ABUT.")
+                           f"{source}/build/release. Give its path in the property Program or in $ABUT.")
 
 
 def _environment():
