@@ -3,6 +3,7 @@
 #include "io/results/output_file.h"
 #include "io/results/vtk_messages.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
@@ -15,7 +16,9 @@
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -41,37 +44,61 @@ vtkSmartPointer<VtkArray> borrow(const std::vector<Value>& values, int component
     return array;
 }
 
-vtkSmartPointer<vtkDataArray> borrow(const Array& array) {
+vtkSmartPointer<vtkDataArray> real_array(const std::vector<double>& values, int components, Reals reals) {
+    if (reals == Reals::float64) return borrow<vtkDoubleArray>(values, components);
+    auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+    std::transform(values.begin(), values.end(), array->GetPointer(0), [](double v) { return static_cast<float>(v); });
+    return array;
+}
+
+vtkSmartPointer<vtkDataArray> data_array(const Array& array, Reals reals) {
     vtkSmartPointer<vtkDataArray> result;
-    if (const auto* reals = std::get_if<std::vector<double>>(&array.values))
-        result = borrow<vtkDoubleArray>(*reals, array.components);
+    if (const auto* values = std::get_if<std::vector<double>>(&array.values))
+        result = real_array(*values, array.components, reals);
     else
         result = borrow<vtkIntArray>(std::get<std::vector<std::int32_t>>(array.values), array.components);
     result->SetName(array.name.c_str());
+    if (!array.unit.empty()) result->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), array.unit.c_str());
     return result;
 }
 
-void add_arrays(vtkDataSetAttributes& data, const std::vector<Array>& arrays, std::size_t tuples) {
+void add_arrays(vtkDataSetAttributes& data, const std::vector<Array>& arrays, std::size_t tuples, Reals reals) {
     for (const Array& array : arrays) {
         const std::size_t length = std::visit([](const auto& values) { return values.size(); }, array.values);
         if (array.components < 1 || length != tuples * static_cast<std::size_t>(array.components))
             throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} tuples of {} components",
                                                     array.name, length, tuples, array.components));
-        data.AddArray(borrow(array));
+        data.AddArray(data_array(array, reals));
     }
 }
 
-void add_time_and_words(vtkDataSet& data, double time, const std::vector<Words>& words) {
+void add_words(vtkDataSet& data, const Words& list) {
+    vtkNew<vtkStringArray> strings;
+    strings->SetName(list.name.c_str());
+    for (const std::string& word : list.values) strings->InsertNextValue(word);
+    data.GetFieldData()->AddArray(strings);
+}
+
+/// `units`: "velocity [m/s]" and so on, since not all programs show the units that VTK's arrays carry.
+Words units_of(const std::vector<Array>& arrays) {
+    Words units{"units", {"TimeValue [s]"}};
+    for (const Array& array : arrays)
+        if (!array.unit.empty()) units.values.push_back(fmt::format("{} [{}]", array.name, array.unit));
+    return units;
+}
+
+/// The field data.
+template <class Frame>
+void add_globals(vtkDataSet& data, const Frame& frame) {
     vtkNew<vtkDoubleArray> time_value; // the name that ParaView looks for
     time_value->SetName("TimeValue");
-    time_value->InsertNextValue(time);
+    time_value->InsertNextValue(frame.time);
     data.GetFieldData()->AddArray(time_value);
-    for (const Words& list : words) {
-        vtkNew<vtkStringArray> strings;
-        strings->SetName(list.name.c_str());
-        for (const std::string& word : list.values) strings->InsertNextValue(word);
-        data.GetFieldData()->AddArray(strings);
-    }
+    for (const Array& array : frame.globals) data.GetFieldData()->AddArray(data_array(array, Reals::float64));
+    for (const Words& list : frame.words) add_words(data, list);
+    if (!frame.arrays.empty()) add_words(data, units_of(frame.arrays));
 }
 
 /// One cell of one point for each point.
@@ -86,19 +113,17 @@ vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
     return cells;
 }
 
-void set_points(vtkPointSet& data, const std::vector<double>& coordinates) {
+void set_points(vtkPointSet& data, const std::vector<double>& coordinates, Reals reals) {
     if (coordinates.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
     vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->SetData(borrow<vtkDoubleArray>(coordinates, 3));
+    points->SetData(real_array(coordinates, 3, reals));
     data.SetPoints(points);
 }
 
-void fill(vtkPointSet& data, const PointFrame& frame) {
-    set_points(data, frame.points);
-    add_arrays(*data.GetPointData(), frame.arrays, frame.points.size() / 3);
-    add_time_and_words(data, frame.time, frame.words);
-    for (const Array& array : frame.globals) data.GetFieldData()->AddArray(borrow(array));
+void fill(vtkPointSet& data, const PointFrame& frame, Reals reals) {
+    set_points(data, frame.points, reals);
+    add_arrays(*data.GetPointData(), frame.arrays, frame.points.size() / 3, reals);
+    add_globals(data, frame);
 }
 
 // === Writing
@@ -137,23 +162,23 @@ void write(const std::filesystem::path& path, vtkDataSet& data) {
 
 } // namespace
 
-void write_particles(const std::filesystem::path& path, const PointFrame& frame) {
+void write_particles(const std::filesystem::path& path, const PointFrame& frame, Reals reals) {
     vtkNew<vtkUnstructuredGrid> data;
-    fill(*data, frame);
+    fill(*data, frame, reals);
     data->SetCells(VTK_VERTEX, vertices(frame.points.size() / 3));
     write<vtkXMLUnstructuredGridWriter>(path, *data);
 }
 
-void write_contact(const std::filesystem::path& path, const PointFrame& frame) {
+void write_contact(const std::filesystem::path& path, const PointFrame& frame, Reals reals) {
     vtkNew<vtkPolyData> data;
-    fill(*data, frame);
+    fill(*data, frame, reals);
     data->SetVerts(vertices(frame.points.size() / 3));
     write<vtkXMLPolyDataWriter>(path, *data);
 }
 
 void write_surface(const std::filesystem::path& path, const SurfaceFrame& frame) {
     vtkNew<vtkPolyData> data;
-    set_points(*data, frame.points);
+    set_points(*data, frame.points, Reals::float64);
     vtkNew<vtkCellArray> lines, polygons;
     for (const std::vector<std::int32_t>& cell : frame.cells) {
         const bool line = cell.size() == 2;
@@ -163,18 +188,18 @@ void write_surface(const std::filesystem::path& path, const SurfaceFrame& frame)
     }
     data->SetLines(lines);
     data->SetPolys(polygons);
-    add_arrays(*data->GetCellData(), frame.arrays, frame.cells.size());
-    add_time_and_words(*data, frame.time, frame.words);
+    add_arrays(*data->GetCellData(), frame.arrays, frame.cells.size(), Reals::float64);
+    add_globals(*data, frame);
     write<vtkXMLPolyDataWriter>(path, *data);
 }
 
-void write_grid(const std::filesystem::path& path, const GridFrame& frame) {
+void write_grid(const std::filesystem::path& path, const GridFrame& frame, Reals reals) {
     vtkNew<vtkImageData> data;
     data->SetDimensions(frame.nodes.data());
     data->SetOrigin(frame.origin.data());
     data->SetSpacing(frame.spacing.data());
-    add_arrays(*data->GetPointData(), frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()));
-    add_time_and_words(*data, frame.time, frame.words);
+    add_arrays(*data->GetPointData(), frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()), reals);
+    add_globals(*data, frame);
     write<vtkXMLImageDataWriter>(path, *data);
 }
 

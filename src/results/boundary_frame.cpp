@@ -123,10 +123,10 @@ SurfaceFrame boundary_frame(const State<D>& state) {
     }
     put_lines_first(cells);
     SurfaceFrame frame = std::move(cells.frame);
-    frame.arrays = {{"boundary", 1, std::move(cells.boundary)},
-                    {"axis", 1, std::move(cells.axis)},
-                    {"velocity", 3, std::move(cells.velocity)},
-                    {"traction", 3, std::move(cells.traction)}};
+    frame.arrays = {{"boundary", 1, std::move(cells.boundary), ""},
+                    {"axis", 1, std::move(cells.axis), ""},
+                    {"velocity", 3, std::move(cells.velocity), "m/s"},
+                    {"traction", 3, std::move(cells.traction), "Pa"}};
     frame.words.push_back(std::move(names));
     return frame;
 }

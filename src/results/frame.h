@@ -16,6 +16,7 @@ struct Array {
     std::string name;
     int components = 1;
     std::variant<std::vector<double>, std::vector<std::int32_t>> values;
+    std::string unit{}; ///< SI; "" for pure numbers
 };
 
 /// A named list of words, e.g. the names of the bodies (VTK field data).
@@ -39,6 +40,7 @@ struct SurfaceFrame {
     std::vector<double> points;                   ///< 3 coordinates a point [m]
     std::vector<std::vector<std::int32_t>> cells; ///< their points: two are a line, more a polygon; lines come first
     std::vector<Array> arrays;                    ///< cell data
+    std::vector<Array> globals;                   ///< field data, as of PointFrame
     std::vector<Words> words;                     ///< field data
 };
 
@@ -49,6 +51,7 @@ struct GridFrame {
     std::array<double, 3> origin{};
     std::array<double, 3> spacing{1, 1, 1};
     std::vector<Array> arrays;
+    std::vector<Array> globals; ///< field data, as of PointFrame
     std::vector<Words> words;
 };
 
