@@ -3,7 +3,7 @@
     pvbatch render_series.py RESULTS -o FOLDER [--preset bodies|stress|contact] [--size 1200x900] [--last]
 
 Camera and colours are the same in all pictures. Where ParaView is built for X only, as Debian's is, a display is
-needed: xvfb-run -a -s "-screen 0 1280x1024x24" pvbatch render_series.py ...
+needed: xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvbatch render_series.py ...
 """
 
 import argparse
@@ -45,7 +45,7 @@ def check_display():
 
     if vtkRenderWindow().GetClassName().startswith("vtkX") and not os.environ.get("DISPLAY"):
         sys.exit('render_series.py: this ParaView needs a display, and there is none: xvfb-run -a -s '
-                 '"-screen 0 1280x1024x24" pvbatch render_series.py ...')
+                 '"-screen 0 1280x1024x24 -noreset" pvbatch render_series.py ...')
 
 
 def union(a, b):

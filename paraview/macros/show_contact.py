@@ -1,6 +1,6 @@
-"""ParaView macro. Contact arrows scaled by force and coloured by separation over grey bodies, of the active source's results.
+"""ParaView macro. Contact arrows scaled by force and coloured by separation, of the active source's results.
 
-Macros > Import new macro... copies this file; it needs the plugin abut_plugin.py to be loaded.
+Bodies are grey. Macros > Import new macro... copies this file; it needs the plugin abut_plugin.py to be loaded.
 """
 try:
     from abut_paraview import views

@@ -15,4 +15,5 @@ if ! modules=$(bash "$here/../../.ci/paraview.sh" --modules); then
     exit 77
 fi
 export PYTHONPATH=$modules ABUT_MACROS_RAISE=1
-exec xvfb-run -a -s "-screen 0 1280x1024x24" pvbatch "$here/in_paraview.py" "$@"
+# Not the first free display: another xvfb-run may be about to take the same one.
+exec xvfb-run -a -n $((100 + $$ % 900)) -s "-screen 0 1280x1024x24 -noreset" pvbatch "$here/in_paraview.py" "$@"
