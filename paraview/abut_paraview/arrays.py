@@ -15,6 +15,12 @@ def names_of(attributes):
     return [attributes.GetArrayName(i) for i in range(attributes.GetNumberOfArrays())]
 
 
+def numeric(attributes):
+    """The arrays of numbers among point or cell data; words have no place in numpy."""
+    arrays = [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
+    return [array for array in arrays if array is not None]
+
+
 def did_you_mean(name, names):
     """'; did you mean "steel"?', or nothing if no name is near."""
     near = difflib.get_close_matches(name, names, n=1)

@@ -84,7 +84,10 @@ def contact_arrows(data, scale_by=BY_FORCE, length=4.0, reference=0.0, spacing=0
     index = np.flatnonzero(wanted)
     output = vtkPolyData()
     output.GetFieldData().ShallowCopy(data.GetFieldData())
-    if len(index) == 0:
+    if len(index) == 0:  # the arrays all the same, so that a view coloured by one keeps it
+        for array in arrays.numeric(data.GetPointData()):
+            for attributes in (output.GetPointData(), output.GetCellData()):
+                attributes.AddArray(arrays.picked(array, index))
         return output, int(np.count_nonzero(~finite))
 
     if spacing <= 0:
@@ -98,10 +101,8 @@ def contact_arrows(data, scale_by=BY_FORCE, length=4.0, reference=0.0, spacing=0
     arrows_points = vtkPoints()
     arrows_points.SetData(arrays.to_vtk(points[index]))
     arrows.SetPoints(arrows_points)
-    for i in range(data.GetPointData().GetNumberOfArrays()):
-        array = data.GetPointData().GetArray(i)
-        if array is not None:
-            arrows.GetPointData().AddArray(arrays.picked(array, index))
+    for array in arrays.numeric(data.GetPointData()):
+        arrows.GetPointData().AddArray(arrays.picked(array, index))
     arrows.GetPointData().AddArray(arrays.to_vtk(length * spacing * size[index] / longest, "arrow length"))
     arrows.GetPointData().AddArray(arrays.to_vtk(pointing[index], "arrow direction"))
 

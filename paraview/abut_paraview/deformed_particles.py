@@ -91,10 +91,8 @@ def deformed_particles(data, shape=DOMAINS, scale=1.0, resolution=16):
     output.SetCells(cell_type, cell_array)
 
     of_cell = np.repeat(keep, cell_count) if cell_count > 1 else keep
-    for i in range(data.GetPointData().GetNumberOfArrays()):
-        array = data.GetPointData().GetArray(i)
-        if array is not None:
-            output.GetCellData().AddArray(arrays.picked(array, of_cell))
+    for array in arrays.numeric(data.GetPointData()):
+        output.GetCellData().AddArray(arrays.picked(array, of_cell))
     displacement = data.GetPointData().GetArray("displacement")
     if displacement is not None and displacement.GetNumberOfComponents() == 3:
         of_centre = vtk_to_numpy(displacement)[keep].astype(float, copy=False)

@@ -99,7 +99,9 @@ class ContactArrows(unittest.TestCase):
     def test_nothing_gives_nothing(self):
         data, *_ = pairs()
         empty = dataset([], {name: np.zeros((0, 3)) for name in ("normal", "force")} | {"in_contact": np.zeros(0)})
-        self.assertEqual(contact_arrows(empty)[0].GetNumberOfCells(), 0)
+        output, _ = contact_arrows(empty)
+        self.assertEqual(output.GetNumberOfCells(), 0)
+        self.assertTrue(output.GetCellData().HasArray("normal") and output.GetPointData().HasArray("normal"))
         for i in range(4):  # before the first step
             data.GetPointData().GetArray("force").SetTuple3(i, 0, 0, 0)
         self.assertEqual(contact_arrows(data)[0].GetNumberOfCells(), 0)
