@@ -88,7 +88,7 @@ TEST(Particles, WritesBoundariesAndGridIfAsked) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("written: p.vtu, b.vtp, g.vti"));
     const PointFrame boundaries = read_points(folder / "b.vtp");
-    EXPECT_EQ(boundaries.points, (std::vector<double>{0.012, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(boundaries.points, (std::vector<double>{0, 0, 0, 0.012, 0, 0}));
     ASSERT_EQ(boundaries.words.size(), 1U);
     EXPECT_THAT(boundaries.words[0].values, testing::ElementsAre("floor"));
     const GridFrame grid = read_grid(folder / "g.vti");
