@@ -17,9 +17,10 @@ from . import arrays
 
 COLOUR_MAPS = Path(__file__).resolve().parents[1] / "colour_maps"
 MOST_IN_LEGEND = 30
-LEGEND_WIDTH = 0.2   # of the picture's width
+LEGEND_WIDTH = 0.2  # of the picture's width
 VIEWED_FROM, UP = [0.408, -0.802, 0.435], [0, 0, 1]  # of scenes in space, as `abut render` sees them
-SEEN_SCALE = 1.01    # of domains: neighbours overlap by a hair, so that no white pixels show between them
+SOLID_OPACITY = 0.06  # of bodies in space around arrows; every particle on the line of sight counts
+SEEN_SCALE = 1.01  # of domains: neighbours overlap by a hair, so that no white pixels show between them
 GREYS = [0.88, 0.82, 0.93, 0.85]  # of neighbouring bodies behind arrows
 
 
@@ -184,6 +185,7 @@ def _domains(folder, view):
         simple.Hide(particles, view)
     display = simple.Show(source, view)
     display.SetRepresentationType("Surface")
+    display.Opacity = 1
     display.AmbientColor = display.DiffuseColor = [0.35, 0.35, 0.35]  # of what has no body: boundaries, grid
     display.LineWidth = 2
     return source, display
@@ -202,7 +204,8 @@ def look_at(source, view, bounds=None):
         return
     if bounds[4] < bounds[5]:
         view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [0, 0, 0], VIEWED_FROM, UP
-        view.ResetCamera(*bounds)
+        margin = [0.1 * (bounds[axis + 1] - bounds[axis]) for axis in (0, 2, 4)]  # particles end beyond their centres
+        view.ResetCamera(*[edge + (-1, 1)[i % 2] * margin[i // 2] for i, edge in enumerate(bounds)])
         return
     view.InteractionMode = "2D"
     width, height = bounds[1] - bounds[0], bounds[3] - bounds[2]
@@ -274,7 +277,9 @@ def show_contact(folder, view=None):
     over = simple.Show(arrows, view)
     _update(arrows, view)
     over.SetRepresentationType("Surface")
-    if is_flat(source):  # in front of the bodies, in the same plane else
+    if not is_flat(source):
+        display.Opacity = SOLID_OPACITY
+    else:  # in front of the bodies, in the same plane otherwise
         bounds = source.GetDataInformation().GetBounds()
         _unshaded(source, over)
         over.Position = [0, 0, 1e-3 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])]
