@@ -67,12 +67,12 @@ def main():
 
     simple._DisableFirstRenderCameraReset()
     simple.LoadPlugin(str(HERE / "plugin" / "abut_plugin.py"), remote=False, ns=vars(simple))
-    from abut_paraview import arrays, views
+    from abut_paraview import arrays, sources, views
 
     view = simple.CreateView("RenderView")
     view.ViewSize = chosen.size
     try:
-        particles = views.series(chosen.results, "particles")
+        particles = sources.series(chosen.results, "particles")
         times = list(particles.TimestepValues)
         if not times:
             raise arrays.DataError(f"{chosen.results}: particles.pvd has no frames")
@@ -89,7 +89,7 @@ def main():
             bounds = union(bounds, box if box[0] <= box[1] else None)
             if array:
                 source.UpdatePipeline(time)
-                values = union(values, views.range_of(source, array))
+                values = union(values, sources.range_of(source, array))
         if values and array == "separation":
             views.rescale_around_zero(lut, *values)
         elif values:
