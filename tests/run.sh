@@ -60,6 +60,9 @@ if [[ $preset == tidy ]]; then
 fi
 
 phase "Packages" bash .ci/setup.sh
+if [[ $preset == release ]]; then
+    phase "ParaView" bash .ci/paraview.sh || echo "run.sh: without ParaView; the tests labelled paraview are skipped"
+fi
 badly_formatted=no
 format_or_note() { format || badly_formatted=yes; }
 phase "Format of the sources" format_or_note

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -63,13 +64,13 @@ vtkSmartPointer<vtkDataArray> data_array(const Array& array, Reals reals) {
     return result;
 }
 
-void add_point_arrays(vtkDataSet& data, const std::vector<Array>& arrays, std::size_t points, Reals reals) {
+void add_arrays(vtkDataSetAttributes& data, const std::vector<Array>& arrays, std::size_t tuples, Reals reals) {
     for (const Array& array : arrays) {
         const std::size_t length = std::visit([](const auto& values) { return values.size(); }, array.values);
-        if (array.components < 1 || length != points * static_cast<std::size_t>(array.components))
-            throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} points of {} components",
-                                                    array.name, length, points, array.components));
-        data.GetPointData()->AddArray(data_array(array, reals));
+        if (array.components < 1 || length != tuples * static_cast<std::size_t>(array.components))
+            throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} tuples of {} components",
+                                                    array.name, length, tuples, array.components));
+        data.AddArray(data_array(array, reals));
     }
 }
 
@@ -112,12 +113,16 @@ vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
     return cells;
 }
 
-void fill(vtkPointSet& data, const PointFrame& frame, Reals reals) {
-    if (frame.points.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
+void set_points(vtkPointSet& data, const std::vector<double>& coordinates, Reals reals) {
+    if (coordinates.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
     vtkNew<vtkPoints> points;
-    points->SetData(real_array(frame.points, 3, reals));
+    points->SetData(real_array(coordinates, 3, reals));
     data.SetPoints(points);
-    add_point_arrays(data, frame.arrays, frame.points.size() / 3, reals);
+}
+
+void fill(vtkPointSet& data, const PointFrame& frame, Reals reals) {
+    set_points(data, frame.points, reals);
+    add_arrays(*data.GetPointData(), frame.arrays, frame.points.size() / 3, reals);
     add_globals(data, frame);
 }
 
@@ -171,12 +176,29 @@ void write_contact(const std::filesystem::path& path, const PointFrame& frame, R
     write<vtkXMLPolyDataWriter>(path, *data);
 }
 
+void write_surface(const std::filesystem::path& path, const SurfaceFrame& frame) {
+    vtkNew<vtkPolyData> data;
+    set_points(*data, frame.points, Reals::float64);
+    vtkNew<vtkCellArray> lines, polygons;
+    for (const std::vector<std::int32_t>& cell : frame.cells) {
+        const bool line = cell.size() == 2;
+        if (line && polygons->GetNumberOfCells() > 0) throw std::invalid_argument("lines come before polygons");
+        const std::vector<vtkIdType> points(cell.begin(), cell.end());
+        (line ? lines : polygons)->InsertNextCell(static_cast<vtkIdType>(points.size()), points.data());
+    }
+    data->SetLines(lines);
+    data->SetPolys(polygons);
+    add_arrays(*data->GetCellData(), frame.arrays, frame.cells.size(), Reals::float64);
+    add_globals(*data, frame);
+    write<vtkXMLPolyDataWriter>(path, *data);
+}
+
 void write_grid(const std::filesystem::path& path, const GridFrame& frame, Reals reals) {
     vtkNew<vtkImageData> data;
     data->SetDimensions(frame.nodes.data());
     data->SetOrigin(frame.origin.data());
     data->SetSpacing(frame.spacing.data());
-    add_point_arrays(*data, frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()), reals);
+    add_arrays(*data->GetPointData(), frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()), reals);
     add_globals(*data, frame);
     write<vtkXMLImageDataWriter>(path, *data);
 }

@@ -35,6 +35,8 @@ struct ParticlesOptions {
     std::filesystem::path output; ///< empty: NAME-particles.vtu, NAME that of the scene file
     RenderOptions render;         ///< of the picture beside it
     bool no_picture = false;
+    std::filesystem::path boundaries; ///< .vtp to write them to; empty: not written
+    std::filesystem::path grid;       ///< .vti, likewise
 };
 
 struct RunOptions {

@@ -159,6 +159,9 @@ int run_program(int argc, char** argv) {
                           "VTU file; default NAME-particles.vtu. The picture is beside it, with .png");
     particles->add_option("--array", preview.render.array, "particle array that colours the picture; default body");
     particles->add_option("--width", preview.render.width, "of the picture [pixels]")->check(CLI::Range(100, 8192));
+    particles->add_option("--boundaries", preview.boundaries,
+                          "VTP file, written too: walls, velocity conditions and tractions at time 0");
+    particles->add_option("--grid", preview.grid, "VTI file, written too: the grid without arrays");
     particles->add_flag("--no-png", preview.no_picture, "no picture");
     particles->callback([&] { action = [&] { return particles_command(particles_options, preview); }; });
 

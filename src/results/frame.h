@@ -34,6 +34,16 @@ struct PointFrame {
     std::vector<Words> words;   ///< field data
 };
 
+/// Lines and flat polygons with arrays (VTP) at one time.
+struct SurfaceFrame {
+    double time = 0;
+    std::vector<double> points;                   ///< 3 coordinates a point [m]
+    std::vector<std::vector<std::int32_t>> cells; ///< their points: two are a line, more a polygon; lines come first
+    std::vector<Array> arrays;                    ///< cell data
+    std::vector<Array> globals;                   ///< field data, as of PointFrame
+    std::vector<Words> words;                     ///< field data
+};
+
 /// The grid's nodes with arrays (VTI) at one time; x runs fastest.
 struct GridFrame {
     double time = 0;
