@@ -3,6 +3,7 @@
 #include "io/results/output_file.h"
 #include "io/results/vtk_messages.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
@@ -10,7 +11,10 @@
 #include <numeric>
 #include <stdexcept>
 #include <string_view>
+#include <type_traits>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -50,14 +54,19 @@ vtkSmartPointer<vtkDataArray> borrow(const Array& array) {
     return result;
 }
 
-void add_point_arrays(vtkDataSet& data, const std::vector<Array>& arrays, std::size_t points) {
+/// \param what the array's tuples belong to: "points" or "cells"
+void add_arrays(vtkDataSetAttributes& data, const std::vector<Array>& arrays, std::size_t count, const char* what) {
     for (const Array& array : arrays) {
         const std::size_t length = std::visit([](const auto& values) { return values.size(); }, array.values);
-        if (array.components < 1 || length != points * static_cast<std::size_t>(array.components))
-            throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} points of {} components",
-                                                    array.name, length, points, array.components));
-        data.GetPointData()->AddArray(borrow(array));
+        if (array.components < 1 || length != count * static_cast<std::size_t>(array.components))
+            throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} {} of {} components", array.name,
+                                                    length, count, what, array.components));
+        data.AddArray(borrow(array));
     }
+}
+
+void add_point_arrays(vtkDataSet& data, const std::vector<Array>& arrays, std::size_t points) {
+    add_arrays(*data.GetPointData(), arrays, points, "points");
 }
 
 void add_time_and_words(vtkDataSet& data, double time, const std::vector<Words>& words) {
@@ -73,25 +82,38 @@ void add_time_and_words(vtkDataSet& data, double time, const std::vector<Words>&
     }
 }
 
-/// One cell of one point for each point.
-vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
+/// Cells of equally many corners, by the numbers of their points.
+vtkSmartPointer<vtkCellArray> cells_of(int corners, const std::vector<std::int32_t>& corner_points) {
     vtkNew<vtkTypeInt32Array> offsets, points;
-    offsets->SetNumberOfValues(static_cast<vtkIdType>(count) + 1);
-    points->SetNumberOfValues(static_cast<vtkIdType>(count));
-    std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, 0);
-    std::iota(points->GetPointer(0), points->GetPointer(0) + count, 0);
+    const auto count = static_cast<vtkIdType>(corner_points.size()) / corners;
+    offsets->SetNumberOfValues(count + 1);
+    for (vtkIdType i = 0; i <= count; ++i) offsets->SetValue(i, static_cast<vtkTypeInt32>(i * corners));
+    points->SetNumberOfValues(static_cast<vtkIdType>(corner_points.size()));
+    std::copy(corner_points.begin(), corner_points.end(), points->GetPointer(0));
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     cells->SetData(offsets, points);
     return cells;
 }
 
-void fill(vtkPointSet& data, const PointFrame& frame) {
+/// One cell of one point for each point.
+vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
+    std::vector<std::int32_t> points(count);
+    std::iota(points.begin(), points.end(), 0);
+    return cells_of(1, points);
+}
+
+template <class Frame>
+void fill(vtkPointSet& data, const Frame& frame) {
     if (frame.points.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->SetData(borrow<vtkDoubleArray>(frame.points, 3));
     data.SetPoints(points);
-    add_point_arrays(data, frame.arrays, frame.points.size() / 3);
+    if constexpr (std::is_same_v<Frame, CellFrame>)
+        add_arrays(*data.GetCellData(), frame.arrays,
+                   frame.corner_points.size() / static_cast<std::size_t>(frame.corners), "cells");
+    else
+        add_point_arrays(data, frame.arrays, frame.points.size() / 3);
     add_time_and_words(data, frame.time, frame.words);
     for (const Array& array : frame.globals) data.GetFieldData()->AddArray(borrow(array));
 }
@@ -144,6 +166,21 @@ void write_contact(const std::filesystem::path& path, const PointFrame& frame) {
     fill(*data, frame);
     data->SetVerts(vertices(frame.points.size() / 3));
     write<vtkXMLPolyDataWriter>(path, *data);
+}
+
+void write_cells(const std::filesystem::path& path, const CellFrame& frame) {
+    const auto cells = cells_of(frame.corners, frame.corner_points);
+    if (path.extension() == ".vtp") {
+        vtkNew<vtkPolyData> data;
+        frame.corners == 2 ? data->SetLines(cells) : data->SetPolys(cells);
+        fill(*data, frame);
+        write<vtkXMLPolyDataWriter>(path, *data);
+    } else {
+        vtkNew<vtkUnstructuredGrid> data;
+        data->SetCells(frame.corners == 2 ? VTK_LINE : frame.corners == 4 ? VTK_QUAD : VTK_HEXAHEDRON, cells);
+        fill(*data, frame);
+        write<vtkXMLUnstructuredGridWriter>(path, *data);
+    }
 }
 
 void write_grid(const std::filesystem::path& path, const GridFrame& frame) {

@@ -17,6 +17,10 @@ void write_particles(const std::filesystem::path& path, const PointFrame& frame)
 /// Writes contact pairs as a .vtp file, one vertex each; otherwise as write_particles.
 void write_contact(const std::filesystem::path& path, const PointFrame& frame);
 
+/// Writes cells with cell data, as .vtu or, if the name ends so, .vtp (segments and quadrilaterals only); otherwise as
+/// write_particles.
+void write_cells(const std::filesystem::path& path, const CellFrame& frame);
+
 /// Writes the grid's nodes as a .vti file (image data with point arrays); otherwise as write_particles.
 void write_grid(const std::filesystem::path& path, const GridFrame& frame);
 

@@ -15,7 +15,7 @@ SeriesSpec bind_series(const Json& json, const std::string& name, const char* li
 ContactCloudsSpec bind_clouds(const Json& json) {
     ContactCloudsSpec clouds;
     copy_list(json, "nodes", clouds.nodes, [](const Json& entry) {
-        std::array<int, 3> node{};
+        std::array<int, 3> node{-1, -1, -1}; // how many are given is checked in validate()
         for (std::size_t axis = 0; axis < std::min(node.size(), entry.size()); ++axis) node[axis] = entry[axis];
         return node;
     });

@@ -16,7 +16,7 @@ const std::vector<std::string>& shape_kinds();
 
 /// Words as JSON texts.
 inline std::vector<std::string> quoted_all(std::vector<std::string> words) {
-    for (std::string& word : words) word = quoted(word);
+    for (std::string& word : words) word = abut::quoted(word); // not std::quoted
     return words;
 }
 

@@ -1,5 +1,6 @@
 #include "app/run_files.h"
 
+#include "io/results/write_contact_clouds.h"
 #include "io/results/write_frame.h"
 #include "io/results/write_text.h"
 #include "results/frames.h"
@@ -85,6 +86,7 @@ std::optional<double> RunFiles::write_frames(State<D>& state) {
     if (output.grid.write) write_to_series(grid_, "grid", "vti", frame_, grid_frame(state), write_grid);
     if (output.contact.write && state.effects.contact)
         write_to_series(contact_, "contact", "vtp", frame_, contact_frame(state), write_contact);
+    if (output.contact_clouds) write_contact_clouds(state, folder_, frame_);
     ++frame_;
     return fraction;
 }
