@@ -103,7 +103,7 @@ std::vector<Key> output_keys() {
          .dimension = dimensions::angle,
          .range = above(0),
          .meaning = "Every contact node where the normals of two methods differ by more than this angle, among "
-                    "bodies nearer than half a cell."},
+                    "bodies nearer than a tenth of a cell."},
         {.path = "/output/live",
          .kind = Kind::boolean,
          .otherwise = "false",

@@ -131,24 +131,24 @@ double degrees(double angle) {
 template <int D>
 void print_disagreements(State<D>& state) {
     const std::vector<Disagreement<D>> all = nodes_in_disagreement(state, 0);
-    const LengthUnit unit{si_prefix(0.01 * state.grid.length())};
-    fmt::print(
-        "{} contact nodes, {} of them with bodies nearer than half a cell; where the normals of two methods differ "
-        "most:\n\n  {:<14} {:<32} {:<36} {:>9} {:>16} {:>9}\n",
-        state.contact.groups.size(), all.size(), "node", "place", "bodies", "differ by",
-        fmt::format("separation [{}]", unit.name()), "particles");
+    const LengthUnit unit{si_prefix(0.1 * state.grid.length())};
+    fmt::print("{} contact nodes, {} of them with bodies nearer than a tenth of a cell", state.contact.groups.size(),
+               all.size());
+    if (all.empty()) return fmt::print("\n");
+    fmt::print("; where the normals of two methods differ most:\n\n  {:<12} {:<28} {:<28} {:>11} {:>16} {:>10}\n",
+               "node", "place", "bodies", "differ by", fmt::format("separation [{}]", unit.name()), "particles");
     for (std::size_t i = 0; i < std::min(all.size(), most_listed); ++i) {
         const Disagreement<D>& one = all[i];
-        fmt::print("  {:<14} {:<32} {:<36} {:>9} {:>16} {:>9}\n", node_text<D>(one.node), place_text<D>(one.position),
+        fmt::print("  {:<12} {:<28} {:<28} {:>11} {:>16} {:>10}\n", node_text<D>(one.node), place_text<D>(one.position),
                    state.bodies[one.body_a].name + " / " + state.bodies[one.body_b].name,
                    fmt::format("{:.2f} deg", degrees(one.angle)), unit(one.separation), one.cloud_size);
     }
-    if (!all.empty()) fmt::print("\nTake one apart with --node {}\n", node_text<D>(all.front().node));
+    fmt::print("\nTake one apart with --node {}\n", node_text<D>(all.front().node));
 }
 
 template <int D>
 void print_point(const State<D>& state, const PointSeen<D>& point) {
-    const LengthUnit unit{si_prefix(0.01 * state.grid.length())};
+    const LengthUnit unit{si_prefix(0.1 * state.grid.length())};
     const auto of_a = std::count_if(point.cloud.begin(), point.cloud.end(),
                                     [&](const ParticleSeen<D>& particle) { return particle.body == point.body_a; });
     fmt::print("\n{} / {}{}: {} + {} particles; lengths in {}\n", state.bodies[point.body_a].name,

@@ -89,7 +89,7 @@ struct Disagreement {
 
 /// Bodies farther apart than this share of a cell, by the scene's own separation, have no say in disagreements: no
 /// force will act along their normals for many steps.
-inline constexpr double disagreement_reach = 0.5;
+inline constexpr double disagreement_reach = 0.1;
 
 /// Contact nodes at which the normals of two methods differ by more than an angle, the largest difference first. A
 /// method that finds no normal has no say, nor has `own-gradient`, which is a body's and not a pair's, unless it is the

@@ -380,7 +380,7 @@ TEST(Disagreements, AreThoseOfTheRowsSideBySide) {
         std::map<Index<2>, double> expected;
         for (const NodeSeen<2>& node : inspect_contact<2>(state, all_nodes(state)))
             for (const PointSeen<2>& point : node.points) {
-                if (!(point.chosen().separation[particle_edges] < 0.5)) continue;
+                if (!(point.chosen().separation[particle_edges] < disagreement_reach)) continue;
                 for (const PlaneSeen<2>& p : point.planes)
                     for (const PlaneSeen<2>& q : point.planes) {
                         if (p.fitted.isZero(0) || q.fitted.isZero(0)) continue;
