@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
@@ -34,19 +35,48 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
+/// The text of a .pvd file.
+class Collection {
+public:
+    void add(double time, const std::string& name, std::size_t part, const std::string& file) {
+        const std::string label = name.empty() ? "" : fmt::format(" name=\"{}\"", escaped(name));
+        fmt::format_to(std::back_inserter(text_),
+                       "    <DataSet timestep=\"{}\" group=\"\" part=\"{}\"{} file=\"{}\"/>\n", time, part, label,
+                       escaped(file));
+    }
+    void write(const std::filesystem::path& path) const {
+        write_text_atomically(path, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                                    "  <Collection>\n" +
+                                        fmt::to_string(text_) + "  </Collection>\n</VTKFile>\n");
+    }
+
+private:
+    fmt::memory_buffer text_;
+};
+
 } // namespace
 
 void PvdSeries::append(double time, const std::string& file) {
     while (!entries.empty() && entries.back().time >= time) entries.pop_back();
     entries.push_back({time, file});
-    fmt::memory_buffer text;
-    auto out = std::back_inserter(text);
-    fmt::format_to(out, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n");
-    for (const PvdEntry& entry : entries)
-        fmt::format_to(out, "    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", entry.time,
-                       escaped(entry.file));
-    fmt::format_to(out, "  </Collection>\n</VTKFile>\n");
-    write_text_atomically(path, {text.data(), text.size()});
+    Collection collection;
+    for (const PvdEntry& entry : entries) collection.add(entry.time, "", 0, entry.file);
+    collection.write(path);
+}
+
+void write_parts(const std::filesystem::path& path, const std::vector<PvdPart>& parts) {
+    std::set<double> times;
+    for (const PvdPart& part : parts)
+        for (const PvdEntry& entry : part.series->entries) times.insert(entry.time);
+    Collection collection;
+    std::vector<std::size_t> next(parts.size(), 0);
+    for (const double time : times)
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const std::vector<PvdEntry>& entries = parts[i].series->entries;
+            while (next[i] < entries.size() && entries[next[i]].time <= time) ++next[i];
+            if (next[i] > 0) collection.add(time, parts[i].name, i, entries[next[i] - 1].file);
+        }
+    collection.write(path);
 }
 
 PvdSeries read_pvd(const std::filesystem::path& path) {

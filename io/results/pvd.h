@@ -23,6 +23,16 @@ struct PvdSeries {
     void append(double time, const std::string& file);
 };
 
+/// One of the series in a .pvd file of several parts.
+struct PvdPart {
+    std::string name;
+    const PvdSeries* series = nullptr;
+};
+
+/// Writes a .pvd file of several parts, which ParaView opens as one multi-block source: at each time of any of the
+/// series, the latest frame of each. Throws as write_text_atomically.
+void write_parts(const std::filesystem::path& path, const std::vector<PvdPart>& parts);
+
 /// Reads a .pvd file. Throws std::runtime_error naming the file if it is missing or broken.
 PvdSeries read_pvd(const std::filesystem::path& path);
 

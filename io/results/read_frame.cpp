@@ -7,8 +7,12 @@
 #include <stdexcept>
 #include <vtkDataArray.h>
 #include <vtkDataArraySelection.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -22,6 +26,14 @@
 namespace abut {
 namespace {
 
+template <class Value, class VtkArray>
+bool copy_if(vtkDataArray& array, Array& result) {
+    auto* typed = VtkArray::SafeDownCast(&array);
+    if (typed) result.values = std::vector<Value>(typed->GetPointer(0), typed->GetPointer(typed->GetNumberOfValues()));
+    return typed != nullptr;
+}
+
+/// Of other types, which foreign files may have.
 template <class Value>
 std::vector<Value> copy(vtkDataArray& array) {
     std::vector<Value> values(static_cast<std::size_t>(array.GetNumberOfValues()));
@@ -36,20 +48,22 @@ std::vector<Value> copy(vtkDataArray& array) {
 
 Array copy_array(vtkDataArray& array) {
     Array result{array.GetName() ? array.GetName() : "", array.GetNumberOfComponents(), {}};
-    if (array.GetDataType() == VTK_DOUBLE || array.GetDataType() == VTK_FLOAT)
-        result.values = copy<double>(array);
-    else
+    if (!copy_if<double, vtkDoubleArray>(array, result) && !copy_if<double, vtkFloatArray>(array, result) &&
+        !copy_if<std::int32_t, vtkIntArray>(array, result))
         result.values = copy<std::int32_t>(array);
+    if (array.HasInformation() && array.GetInformation()->Has(vtkDataArray::UNITS_LABEL()))
+        result.unit = array.GetInformation()->Get(vtkDataArray::UNITS_LABEL());
     return result;
 }
 
-void read_fields(vtkDataSet& data, double& time, std::vector<Array>& arrays, std::vector<Array>* globals,
+void read_fields(vtkDataSet& data, double& time, std::vector<Array>& arrays, std::vector<Array>& globals,
                  std::vector<Words>& words) {
     for (int i = 0; i < data.GetPointData()->GetNumberOfArrays(); ++i)
         if (vtkDataArray* array = data.GetPointData()->GetArray(i)) arrays.push_back(copy_array(*array));
     for (int i = 0; i < data.GetFieldData()->GetNumberOfArrays(); ++i) {
         vtkAbstractArray* field = data.GetFieldData()->GetAbstractArray(i);
         const std::string name = field->GetName() ? field->GetName() : "";
+        if (name == "units") continue; // the arrays have them
         if (auto* strings = vtkStringArray::SafeDownCast(field)) {
             Words list{name, {}};
             for (vtkIdType k = 0; k < strings->GetNumberOfValues(); ++k) list.values.push_back(strings->GetValue(k));
@@ -57,8 +71,8 @@ void read_fields(vtkDataSet& data, double& time, std::vector<Array>& arrays, std
         } else if (auto* numbers = vtkDataArray::SafeDownCast(field)) {
             if (name == "TimeValue" && numbers->GetNumberOfTuples() > 0)
                 time = numbers->GetComponent(0, 0);
-            else if (globals)
-                globals->push_back(copy_array(*numbers));
+            else
+                globals.push_back(copy_array(*numbers));
         }
     }
 }
@@ -89,7 +103,7 @@ PointFrame read_point_set(const std::filesystem::path& path, const std::vector<s
     auto* data = reader->GetOutput();
     PointFrame frame;
     if (data->GetPoints()) frame.points = copy<double>(*data->GetPoints()->GetData());
-    read_fields(*data, frame.time, frame.arrays, &frame.globals, frame.words);
+    read_fields(*data, frame.time, frame.arrays, frame.globals, frame.words);
     return frame;
 }
 
@@ -108,7 +122,7 @@ GridFrame read_grid(const std::filesystem::path& path, const std::vector<std::st
     data->GetDimensions(frame.nodes.data());
     data->GetOrigin(frame.origin.data());
     data->GetSpacing(frame.spacing.data());
-    read_fields(*data, frame.time, frame.arrays, nullptr, frame.words);
+    read_fields(*data, frame.time, frame.arrays, frame.globals, frame.words);
     return frame;
 }
 

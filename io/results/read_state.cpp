@@ -100,6 +100,9 @@ State<D> read_state(Scene scene, const PointFrame& frame) {
 
     State<D> state = make_state<D>(scene, model);
     state.time = frame.time;
+    for (const Array& array : frame.globals)
+        if (const auto* step = std::get_if<std::vector<std::int32_t>>(&array.values); array.name == "step" && step)
+            state.step = step->at(0);
     for (std::size_t id = 0; id < places.size(); ++id) {
         const std::size_t p = places[id];
         state.particles.position[id] = to_vec<D>(vector_at(frame.points, p));

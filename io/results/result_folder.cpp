@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> series{"particles", "grid", "contact"};
-constexpr std::array<std::string_view, 5> single_files{"history.csv", "bodies.csv", "timing.json", "scene.json",
-                                                       "checkpoint.h5"};
+constexpr std::array<std::string_view, 7> single_files{"history.csv", "bodies.csv",    "pairs.csv", "timing.json",
+                                                       "scene.json",  "checkpoint.h5", "all.pvd"};
 
 /// particles_00012.vtu of "particles", or what a killed run left of writing it (.particles_00012.vtu.tmp); also the
 /// state of a run that went wrong, failed.vtu

@@ -17,6 +17,13 @@ constexpr std::array separation_names{"separation_particle_edges", "separation_c
                                       "separation_fitted_position", "separation_displacement"};
 static_assert(separation_names.size() == inspected_separations.size());
 
+std::string unit_of(std::string_view name) {
+    if (name == "angle") return "rad";
+    for (const std::string_view length : {"distance", "edge_distance", "half_size", "centre", "end_a", "end_b"})
+        if (name == length) return "m";
+    return name.starts_with("separation_") ? "m" : "";
+}
+
 /// Columns of a frame under way, by name.
 struct Columns {
     std::vector<Array> arrays;
@@ -24,8 +31,9 @@ struct Columns {
     template <class Value>
     void add(const char* name, int components, const Value* first) {
         const auto same = std::find_if(arrays.begin(), arrays.end(), [&](const Array& a) { return a.name == name; });
-        Array& array =
-            same == arrays.end() ? arrays.emplace_back(Array{name, components, std::vector<Value>{}}) : *same;
+        Array& array = same == arrays.end()
+                           ? arrays.emplace_back(Array{name, components, std::vector<Value>{}, unit_of(name)})
+                           : *same;
         auto& values = std::get<std::vector<Value>>(array.values);
         values.insert(values.end(), first, first + components);
     }
@@ -56,13 +64,14 @@ CellFrame frame_of(const State<D>& state, const std::vector<NodeSeen<D>>& nodes,
     CellFrame frame;
     frame.time = state.time;
     frame.corners = corners;
+    frame.globals.push_back({"step", 1, std::vector<std::int32_t>{static_cast<std::int32_t>(state.step)}});
     frame.words = {{"body_names", {}}, {"method_names", texts(normal_words)}};
     for (const ModelBody& body : state.bodies) frame.words[0].values.push_back(body.name);
     if (nodes.size() == 1) {
         const auto numbers = three<D>(nodes[0].node);
         const Vector place = to_array<D>(nodes[0].position);
         frame.globals.push_back({"node", 3, std::vector<std::int32_t>(numbers.begin(), numbers.end())});
-        frame.globals.push_back({"node_position", 3, std::vector<double>(place.begin(), place.end())});
+        frame.globals.push_back({"node_position", 3, std::vector<double>(place.begin(), place.end()), "m"});
     }
     return frame;
 }

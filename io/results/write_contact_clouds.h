@@ -17,7 +17,8 @@
 ///   A method that finds no normal has no plane here, but a row in the table.
 /// * node_….csv: the same side by side, a row for each pair and method.
 ///
-/// Field data: TimeValue, `body_names`, `method_names`; for one node `node` and `node_position` [m] too.
+/// Field data: TimeValue, `step`, `units`, `body_names`, `method_names`; for one node `node` and `node_position` [m]
+/// too.
 
 #include "contact/inspect.h"
 #include "results/frame.h"

@@ -18,7 +18,9 @@
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -44,42 +46,67 @@ vtkSmartPointer<VtkArray> borrow(const std::vector<Value>& values, int component
     return array;
 }
 
-vtkSmartPointer<vtkDataArray> borrow(const Array& array) {
+vtkSmartPointer<vtkDataArray> real_array(const std::vector<double>& values, int components, Reals reals) {
+    if (reals == Reals::float64) return borrow<vtkDoubleArray>(values, components);
+    auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+    std::transform(values.begin(), values.end(), array->GetPointer(0), [](double v) { return static_cast<float>(v); });
+    return array;
+}
+
+vtkSmartPointer<vtkDataArray> data_array(const Array& array, Reals reals) {
     vtkSmartPointer<vtkDataArray> result;
-    if (const auto* reals = std::get_if<std::vector<double>>(&array.values))
-        result = borrow<vtkDoubleArray>(*reals, array.components);
+    if (const auto* values = std::get_if<std::vector<double>>(&array.values))
+        result = real_array(*values, array.components, reals);
     else
         result = borrow<vtkIntArray>(std::get<std::vector<std::int32_t>>(array.values), array.components);
     result->SetName(array.name.c_str());
+    if (!array.unit.empty()) result->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), array.unit.c_str());
     return result;
 }
 
 /// \param what the array's tuples belong to: "points" or "cells"
-void add_arrays(vtkDataSetAttributes& data, const std::vector<Array>& arrays, std::size_t count, const char* what) {
+void add_arrays(vtkDataSetAttributes& data, const std::vector<Array>& arrays, std::size_t count, const char* what,
+                Reals reals) {
     for (const Array& array : arrays) {
         const std::size_t length = std::visit([](const auto& values) { return values.size(); }, array.values);
         if (array.components < 1 || length != count * static_cast<std::size_t>(array.components))
             throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} {} of {} components", array.name,
                                                     length, count, what, array.components));
-        data.AddArray(borrow(array));
+        data.AddArray(data_array(array, reals));
     }
 }
 
-void add_point_arrays(vtkDataSet& data, const std::vector<Array>& arrays, std::size_t points) {
-    add_arrays(*data.GetPointData(), arrays, points, "points");
+void add_point_arrays(vtkDataSet& data, const std::vector<Array>& arrays, std::size_t points, Reals reals) {
+    add_arrays(*data.GetPointData(), arrays, points, "points", reals);
 }
 
-void add_time_and_words(vtkDataSet& data, double time, const std::vector<Words>& words) {
+void add_words(vtkDataSet& data, const Words& list) {
+    vtkNew<vtkStringArray> strings;
+    strings->SetName(list.name.c_str());
+    for (const std::string& word : list.values) strings->InsertNextValue(word);
+    data.GetFieldData()->AddArray(strings);
+}
+
+/// `units`: "velocity [m/s]" and so on, since not all programs show the units that VTK's arrays carry.
+Words units_of(const std::vector<Array>& arrays) {
+    Words units{"units", {"TimeValue [s]"}};
+    for (const Array& array : arrays)
+        if (!array.unit.empty()) units.values.push_back(fmt::format("{} [{}]", array.name, array.unit));
+    return units;
+}
+
+/// The field data.
+template <class Frame>
+void add_globals(vtkDataSet& data, const Frame& frame) {
     vtkNew<vtkDoubleArray> time_value; // the name that ParaView looks for
     time_value->SetName("TimeValue");
-    time_value->InsertNextValue(time);
+    time_value->InsertNextValue(frame.time);
     data.GetFieldData()->AddArray(time_value);
-    for (const Words& list : words) {
-        vtkNew<vtkStringArray> strings;
-        strings->SetName(list.name.c_str());
-        for (const std::string& word : list.values) strings->InsertNextValue(word);
-        data.GetFieldData()->AddArray(strings);
-    }
+    for (const Array& array : frame.globals) data.GetFieldData()->AddArray(data_array(array, Reals::float64));
+    for (const Words& list : frame.words) add_words(data, list);
+    if (!frame.arrays.empty()) add_words(data, units_of(frame.arrays));
 }
 
 /// Cells of equally many corners, by the numbers of their points.
@@ -103,19 +130,17 @@ vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
 }
 
 template <class Frame>
-void fill(vtkPointSet& data, const Frame& frame) {
+void fill(vtkPointSet& data, const Frame& frame, Reals reals) {
     if (frame.points.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
     vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->SetData(borrow<vtkDoubleArray>(frame.points, 3));
+    points->SetData(real_array(frame.points, 3, reals));
     data.SetPoints(points);
     if constexpr (std::is_same_v<Frame, CellFrame>)
         add_arrays(*data.GetCellData(), frame.arrays,
-                   frame.corner_points.size() / static_cast<std::size_t>(frame.corners), "cells");
+                   frame.corner_points.size() / static_cast<std::size_t>(frame.corners), "cells", reals);
     else
-        add_point_arrays(data, frame.arrays, frame.points.size() / 3);
-    add_time_and_words(data, frame.time, frame.words);
-    for (const Array& array : frame.globals) data.GetFieldData()->AddArray(borrow(array));
+        add_point_arrays(data, frame.arrays, frame.points.size() / 3, reals);
+    add_globals(data, frame);
 }
 
 // === Writing
@@ -154,16 +179,16 @@ void write(const std::filesystem::path& path, vtkDataSet& data) {
 
 } // namespace
 
-void write_particles(const std::filesystem::path& path, const PointFrame& frame) {
+void write_particles(const std::filesystem::path& path, const PointFrame& frame, Reals reals) {
     vtkNew<vtkUnstructuredGrid> data;
-    fill(*data, frame);
+    fill(*data, frame, reals);
     data->SetCells(VTK_VERTEX, vertices(frame.points.size() / 3));
     write<vtkXMLUnstructuredGridWriter>(path, *data);
 }
 
-void write_contact(const std::filesystem::path& path, const PointFrame& frame) {
+void write_contact(const std::filesystem::path& path, const PointFrame& frame, Reals reals) {
     vtkNew<vtkPolyData> data;
-    fill(*data, frame);
+    fill(*data, frame, reals);
     data->SetVerts(vertices(frame.points.size() / 3));
     write<vtkXMLPolyDataWriter>(path, *data);
 }
@@ -173,23 +198,23 @@ void write_cells(const std::filesystem::path& path, const CellFrame& frame) {
     if (path.extension() == ".vtp") {
         vtkNew<vtkPolyData> data;
         frame.corners == 2 ? data->SetLines(cells) : data->SetPolys(cells);
-        fill(*data, frame);
+        fill(*data, frame, Reals::float64);
         write<vtkXMLPolyDataWriter>(path, *data);
     } else {
         vtkNew<vtkUnstructuredGrid> data;
         data->SetCells(frame.corners == 2 ? VTK_LINE : frame.corners == 4 ? VTK_QUAD : VTK_HEXAHEDRON, cells);
-        fill(*data, frame);
+        fill(*data, frame, Reals::float64);
         write<vtkXMLUnstructuredGridWriter>(path, *data);
     }
 }
 
-void write_grid(const std::filesystem::path& path, const GridFrame& frame) {
+void write_grid(const std::filesystem::path& path, const GridFrame& frame, Reals reals) {
     vtkNew<vtkImageData> data;
     data->SetDimensions(frame.nodes.data());
     data->SetOrigin(frame.origin.data());
     data->SetSpacing(frame.spacing.data());
-    add_point_arrays(*data, frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()));
-    add_time_and_words(*data, frame.time, frame.words);
+    add_point_arrays(*data, frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()), reals);
+    add_globals(*data, frame);
     write<vtkXMLImageDataWriter>(path, *data);
 }
 

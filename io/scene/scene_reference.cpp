@@ -2,6 +2,7 @@
 #include "io/scene/read_scene.h"
 #include "io/scene/scene_reference_texts.h"
 #include "io/scene/specification.h"
+#include "results/arrays.h"
 
 #include <fmt/format.h>
 
@@ -135,6 +136,14 @@ void add_section(std::string& page, const SpecificationNode& node) {
     for (const SpecificationNode& child : node.children) add_section(page, child);
 }
 
+void add_arrays(std::string& page, const char* file, std::span<const ArrayInfo> arrays) {
+    page += fmt::format("### {}\n\n| array | components | unit | meaning |\n| --- | --- | --- | --- |\n", file);
+    for (const ArrayInfo& array : arrays)
+        page += fmt::format("| `{}` | {} | {} | {}{} |\n", array.name, array.components, array.unit, array.meaning,
+                            array.only.empty() ? "" : fmt::format(" Only if {}.", array.only));
+    page += '\n';
+}
+
 void add_later(std::string& page) {
     page += "## Not in this version\n\nThese names are kept for later versions; a scene that uses them is refused.\n\n";
     for (const Key& key : scene_keys()) {
@@ -149,6 +158,10 @@ void add_later(std::string& page) {
 std::string scene_reference() {
     std::string page = reference_introduction;
     add_section(page, scene_specification());
+    page += result_arrays;
+    add_arrays(page, "Particles: particles.pvd", particle_arrays());
+    add_arrays(page, "The grid's nodes: grid.pvd", grid_arrays());
+    add_arrays(page, "Contact pairs at nodes: contact.pvd", contact_arrays());
     add_later(page);
     return page;
 }

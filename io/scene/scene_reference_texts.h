@@ -127,4 +127,14 @@ different bodies overlap, over the area of all.
 
 )";
 
+inline constexpr const char* result_arrays = R"(## Arrays of the results
+
+What `output/particle_arrays`, `grid_arrays` and `contact_arrays` choose from. All are point data; vectors have 3
+components in plane scenes too, symmetric tensors 6 in VTK's order (xx yy zz xy yz xz). Every file holds the time [s] as
+field data `TimeValue`, the number of the step as `step`, the names of the bodies as `body_names` and the units of its
+arrays as `units`. `abut render`, `abut contact` and the filter for deformed particles need `half_size` and
+`deformation_gradient`.
+
+)";
+
 } // namespace abut

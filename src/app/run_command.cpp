@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/run_files.h"
+#include "app/schedule.h"
 #include "geometry/build_model.h"
 #include "io/results/progress.h"
 #include "io/results/result_folder.h"
@@ -14,7 +15,6 @@
 
 #include <charconv>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <ctime>
 
@@ -32,24 +32,6 @@ void on_signal(int signal) {
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
-
-/// Times at which something is due. Steps are not shortened to meet them: what is written doesn't change the results.
-class Schedule {
-public:
-    explicit Schedule(double every) : every_(every) {}
-    /// Whether due(time) would be true.
-    bool is_due(double time) const { return every_ > 0 && time >= next_; }
-    /// True once for each due time that `time` has reached; several at once count as one.
-    bool due(double time) {
-        if (!is_due(time)) return false;
-        next_ = (std::floor(time / every_ * (1 + 1e-12)) + 1) * every_;
-        return true;
-    }
-
-private:
-    double every_;
-    double next_ = 0;
-};
 
 double history_interval(const Scene& scene) {
     if (scene.output.history_every) return *scene.output.history_every;
@@ -104,13 +86,19 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     RunTiming timing;
     timing.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
 
-    Schedule frames(loaded.scene.output.every);
     Schedule history(history_interval(loaded.scene));
-    frames.due(0);
     history.due(0);
-    const auto write_frames = [&] {
-        const std::optional<double> overlap = files.write_frames(state);
+    const auto write_frames = [&](Frames which) {
+        const auto writing = std::chrono::steady_clock::now();
+        if (!files.write_frames(state, which)) return;
+        timing.output_seconds += seconds_since(writing);
+        const std::optional<double> overlap = files.interpenetration();
         progress.note(overlap ? fmt::format("interpenetration {:.2e} of the area", *overlap) : "");
+    };
+    const auto write_history = [&] {
+        const auto writing = std::chrono::steady_clock::now();
+        files.write_history(state);
+        timing.output_seconds += seconds_since(writing);
     };
     const auto finish = [&] {
         timing.wall_seconds = seconds_since(start);
@@ -118,9 +106,8 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
         write_timing(folder / "timing.json", state, tasks, timing);
     };
 
-    write_frames();
-    files.write_history(state);
-    bool frame_written = true;
+    write_frames(Frames::last);
+    write_history();
     bool history_written = true;
     try {
         while (state.time < end && !interrupted) {
@@ -138,17 +125,16 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
             timing.solver_seconds += seconds_since(step_start);
             progress.update(state.step, state.time);
             history_written = history.due(state.time);
-            if (history_written) files.write_history(state);
-            frame_written = frames.due(state.time);
-            if (frame_written) write_frames();
+            if (history_written) write_history();
+            write_frames(Frames::due);
         }
     } catch (const RunError&) {
         files.write_failed(state);
         finish();
         throw;
     }
-    if (!history_written) files.write_history(state);
-    if (!frame_written) write_frames();
+    if (!history_written) write_history();
+    write_frames(Frames::last);
     progress.finish();
     finish();
     if (interrupted && state.time < end) {

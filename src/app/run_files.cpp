@@ -1,9 +1,7 @@
 #include "app/run_files.h"
 
 #include "io/results/write_contact_clouds.h"
-#include "io/results/write_frame.h"
 #include "io/results/write_text.h"
-#include "results/frames.h"
 #include "results/history.h"
 #include "results/interpenetration.h"
 
@@ -22,13 +20,30 @@ std::vector<std::string> with_key_columns(std::vector<std::string> keys, const s
 
 /// Writes one file of a series and enters it.
 template <class Frame>
-void write_to_series(PvdSeries& series, const char* name, const char* extension, int number, const Frame& frame,
-                     void (*write)(const std::filesystem::path&, const Frame&)) {
-    const std::string file = fmt::format("{0}/{0}_{1:05}.{2}", name, number, extension);
-    const std::filesystem::path path = series.path.parent_path() / file;
+void write_to_series(RunSeries& series, const char* extension, const Frame& frame, Reals reals,
+                     void (*write)(const std::filesystem::path&, const Frame&, Reals)) {
+    const std::string file = fmt::format("{0}/{0}_{1:05}.{2}", series.name, series.frames, extension);
+    const std::filesystem::path path = series.pvd.path.parent_path() / file;
     std::filesystem::create_directories(path.parent_path());
-    write(path, frame);
-    series.append(frame.time, file);
+    write(path, frame, reals);
+    series.pvd.append(frame.time, file);
+    series.last_time = frame.time;
+    ++series.frames;
+}
+
+RunSeries make_series(const std::filesystem::path& folder, const std::string& name, const SeriesSpec& spec,
+                      const OutputSpec& output, const std::vector<bool>& bodies) {
+    return {name,
+            {folder / (name + ".pvd"), {}},
+            Schedule(spec.every.value_or(output.every)),
+            spec.write,
+            {spec.arrays, bodies}};
+}
+
+/// Whether a series gets a frame at this time; if it does, its schedule moves on.
+bool gets_frame(RunSeries& series, double time, Frames which) {
+    const bool due = series.schedule.due(time);
+    return series.wanted && (which == Frames::last ? series.last_time != time : due);
 }
 
 } // namespace
@@ -36,10 +51,16 @@ void write_to_series(PvdSeries& series, const char* name, const char* extension,
 template <int D>
 RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state)
     : folder_(folder), history_(folder / "history.csv", history_columns(state)),
-      bodies_(folder / "bodies.csv", with_key_columns({"step", "time", "body"}, body_columns())),
-      particles_{folder / "particles.pvd", {}}, grid_{folder / "grid.pvd", {}}, contact_{folder / "contact.pvd", {}} {
+      bodies_(folder / "bodies.csv", with_key_columns({"step", "time", "body"}, body_columns())) {
     write_text_atomically(folder / "scene.json", resolved_scene);
-    if (state.effects.contact && state.scene.output.pairs)
+    const OutputSpec& output = state.scene.output;
+    const std::vector<bool> bodies = chosen_bodies(state);
+    series_ = {make_series(folder, "particles", output.particles, output, bodies),
+               make_series(folder, "grid", output.grid, output, bodies),
+               make_series(folder, "contact", output.contact, output, bodies)};
+    contact().wanted &= state.effects.contact;
+    if (output.single_precision) reals_ = Reals::float32;
+    if (state.effects.contact && output.pairs)
         pairs_.emplace(folder / "pairs.csv", with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns()));
 }
 
@@ -70,25 +91,31 @@ void RunFiles::write_history(State<D>& state) {
 }
 
 template <int D>
-std::optional<double> RunFiles::write_frames(State<D>& state) {
+bool RunFiles::write_frames(State<D>& state, Frames which) {
+    const bool of_particles = gets_frame(particles(), state.time, which);
+    const bool of_grid = gets_frame(grid(), state.time, which);
+    const bool of_contact = gets_frame(contact(), state.time, which);
+    if (!of_particles && !of_grid && !of_contact) return false;
     look(state);
-    const OutputSpec& output = state.scene.output;
-    std::optional<double> fraction;
-    if (output.particles.write) {
-        PointFrame frame = particle_frame(state);
+    if (of_particles) {
+        PointFrame frame = particle_frame(state, particles().choice);
+        interpenetration_.reset();
         if constexpr (D == 2)
             if (state.effects.contact) {
-                fraction = interpenetration(state.particles).fraction();
-                frame.globals.push_back({"interpenetration", 1, std::vector<double>{*fraction}});
+                interpenetration_ = abut::interpenetration(state.particles).fraction();
+                frame.globals.push_back({"interpenetration", 1, std::vector<double>{*interpenetration_}});
             }
-        write_to_series(particles_, "particles", "vtu", frame_, frame, write_particles);
+        write_to_series(particles(), "vtu", frame, reals_, write_particles);
     }
-    if (output.grid.write) write_to_series(grid_, "grid", "vti", frame_, grid_frame(state), write_grid);
-    if (output.contact.write && state.effects.contact)
-        write_to_series(contact_, "contact", "vtp", frame_, contact_frame(state), write_contact);
-    if (output.contact_clouds) write_contact_clouds(state, folder_, frame_);
-    ++frame_;
-    return fraction;
+    if (of_grid) write_to_series(grid(), "vti", grid_frame(state, grid().choice), reals_, write_grid);
+    if (of_contact) write_to_series(contact(), "vtp", contact_frame(state, contact().choice), reals_, write_contact);
+    if (of_contact && state.scene.output.contact_clouds)
+        write_contact_clouds(state, folder_, contact().frames - 1); // numbered as the pairs' frame
+    std::vector<PvdPart> parts;
+    for (const RunSeries& series : series_)
+        if (series.wanted) parts.push_back({series.name, &series.pvd});
+    write_parts(folder_ / "all.pvd", parts);
+    return true;
 }
 
 template <int D>
@@ -107,6 +134,7 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
         {"wall_seconds", timing.wall_seconds},
         {"cpu_seconds", timing.cpu_seconds},
         {"solver_seconds", timing.solver_seconds},
+        {"output_seconds", timing.output_seconds},
         {"tasks", nlohmann::ordered_json::object()},
         {"steps", state.step},
         {"particles", state.particles.size()},
@@ -123,13 +151,13 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
 
 template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<2>&);
 template void RunFiles::write_history<2>(State<2>&);
-template std::optional<double> RunFiles::write_frames<2>(State<2>&);
+template bool RunFiles::write_frames<2>(State<2>&, Frames);
 template void RunFiles::write_failed<2>(const State<2>&);
 template void write_timing<2>(const std::filesystem::path&, const State<2>&, const std::vector<Task<2>>&,
                               const RunTiming&);
 template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<3>&);
 template void RunFiles::write_history<3>(State<3>&);
-template std::optional<double> RunFiles::write_frames<3>(State<3>&);
+template bool RunFiles::write_frames<3>(State<3>&, Frames);
 template void RunFiles::write_failed<3>(const State<3>&);
 template void write_timing<3>(const std::filesystem::path&, const State<3>&, const std::vector<Task<3>>&,
                               const RunTiming&);

@@ -1,14 +1,32 @@
 #pragma once
+#include "app/schedule.h"
 #include "io/results/csv.h"
 #include "io/results/pvd.h"
+#include "io/results/write_frame.h"
+#include "results/frames.h"
 #include "step/state.h"
 #include "step/step.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace abut {
+
+/// Which series get a frame: those whose next one is due, or all that don't have the present state yet.
+enum class Frames { due, last };
+
+/// One series of a run under way.
+struct RunSeries {
+    std::string name; ///< of its folder and of its .pvd file
+    PvdSeries pvd;
+    Schedule schedule;
+    bool wanted = true;
+    FrameChoice choice;
+    int frames = 0;        ///< written so far
+    double last_time = -1; ///< of the last of them [s]
+};
 
 /// The result files of a run under way (contract §3).
 class RunFiles {
@@ -20,23 +38,28 @@ public:
     /// A row of history.csv and the rows of bodies.csv and pairs.csv.
     template <int D>
     void write_history(State<D>& state);
-    /// A frame of each series that the scene asks for. \return the interpenetration of bodies, as a fraction of their
-    /// area; nothing without contact and in 3D, where it isn't measured
+    /// A frame of each series that gets one, and all.pvd. \return false if none got one
     template <int D>
-    std::optional<double> write_frames(State<D>& state);
+    bool write_frames(State<D>& state, Frames which);
+    /// The interpenetration of bodies in the last frame of particles, as a fraction of their area; nothing without
+    /// contact and in 3D, where it isn't measured.
+    std::optional<double> interpenetration() const { return interpenetration_; }
     /// The particles of a state that has gone wrong, as particles/failed.vtu.
     template <int D>
     void write_failed(const State<D>& state);
 
 private:
+    RunSeries& particles() { return series_[0]; }
+    RunSeries& grid() { return series_[1]; }
+    RunSeries& contact() { return series_[2]; }
+
     std::filesystem::path folder_;
+    Reals reals_ = Reals::float64;
     CsvTable history_;
     CsvTable bodies_;
     std::optional<CsvTable> pairs_; ///< scenes with contact
-    PvdSeries particles_;
-    PvdSeries grid_;
-    PvdSeries contact_;
-    int frame_ = 0;
+    std::array<RunSeries, 3> series_;
+    std::optional<double> interpenetration_;
     double last_history_ = 0; ///< time of the last row
 };
 
@@ -44,7 +67,8 @@ private:
 struct RunTiming {
     double wall_seconds = 0;
     double cpu_seconds = 0;
-    double solver_seconds = 0;
+    double solver_seconds = 0; ///< stepping
+    double output_seconds = 0; ///< making and writing frames and rows
     int threads = 1;
 };
 

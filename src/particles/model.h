@@ -15,6 +15,9 @@ struct ModelBody {
     std::string group{}; ///< what the names of the bodies of a legend entry begin with, if it makes several
     /// Stress at time 0, Cauchy, xx yy zz xy yz xz [Pa]; not given: none.
     std::optional<std::array<double, 6>> stress{};
+
+    /// Whether the body is called so, by its own name or with all that came of its legend entry.
+    bool is_called(const std::string& called) const { return name == called || (!group.empty() && group == called); }
 };
 
 /// Material points before the first step, as geometry makes them: one entry a particle in each array.

@@ -27,8 +27,9 @@ constexpr std::array<ArrayInfo, 5> of_nodes{{
     {"mass", 1, "kg", "Mass of all deformable bodies at the node."},
     {"velocity", 3, "m/s", "Velocity of their common centre of mass."},
     {"body_count", 1, "", "Number of deformable bodies that the node sees."},
-    {"contact_normal", 3, "", "Normal of the first pair of bodies at the node, unit; zero at other nodes.", "contact"},
-    {"contact_separation", 1, "m", "Their separation, negative in overlap; 0 at other nodes.", "contact"},
+    {"contact_normal", 3, "", "Normal of the first pair of bodies at the node, unit; zero at other nodes.",
+     "the scene has contact"},
+    {"contact_separation", 1, "m", "Their separation, negative in overlap; 0 at other nodes.", "the scene has contact"},
 }};
 
 constexpr std::array<ArrayInfo, 9> of_contacts{{

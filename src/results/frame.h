@@ -16,6 +16,7 @@ struct Array {
     std::string name;
     int components = 1;
     std::variant<std::vector<double>, std::vector<std::int32_t>> values;
+    std::string unit{}; ///< SI; "" for pure numbers
 };
 
 /// A named list of words, e.g. the names of the bodies (VTK field data).
@@ -51,6 +52,7 @@ struct GridFrame {
     std::array<double, 3> origin{};
     std::array<double, 3> spacing{1, 1, 1};
     std::vector<Array> arrays;
+    std::vector<Array> globals; ///< field data, as of PointFrame
     std::vector<Words> words;
 };
 

@@ -4,6 +4,7 @@
 #include "contact/contact_totals.h"
 #include "contact/find_contacts.h"
 #include "contact/group_view.h"
+#include "results/frame_parts.h"
 #include "step/tasks.h"
 
 #include <map>
@@ -19,32 +20,10 @@ void append(std::vector<double>& values, const Vector& v) {
 }
 
 template <int D>
-Words body_names(const State<D>& state) {
-    Words words{"body_names", {}};
-    for (const ModelBody& body : state.bodies) words.values.push_back(body.name);
-    return words;
-}
-
-/// Full tensor in VTK's order from a Kirchhoff stress.
-template <int D>
-std::array<double, 6> cauchy(const Stress<D>& tau, double J) {
-    std::array<double, 6> s{};
-    for (int c = 0; c < static_cast<int>(tau.size()); ++c) s[c] = tau[c] / J;
-    return s;
-}
-
-template <int D>
 double point_area(const State<D>& state, const ContactGroup<D>& group, const ContactPoint<D>& point,
                   const std::vector<Pack>& gradients) {
     return contact_area<D>(vector_of<D>(gradients[point.slot_a]),
                            vector_of<D>(sum_of_others(state.contact, group, point, gradients)), point.normal);
-}
-
-double von_mises(const std::array<double, 6>& s) {
-    const double xy = s[0] - s[1];
-    const double yz = s[1] - s[2];
-    const double zx = s[2] - s[0];
-    return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
 } // namespace
@@ -90,57 +69,7 @@ void look(State<D>& state) {
 }
 
 template <int D>
-PointFrame particle_frame(const State<D>& state) {
-    const Particles<D>& particles = state.particles;
-    const std::size_t n = particles.size();
-    std::vector<std::size_t> by_id(n);
-    for (std::size_t p = 0; p < n; ++p) by_id[particles.id[p]] = p;
-
-    PointFrame frame;
-    frame.time = state.time;
-    std::vector<double> velocity, displacement, stress, pressure, mises, F, mass, volume, half_size;
-    std::vector<std::int32_t> body, id;
-    for (const std::size_t p : by_id) {
-        const Mat<D>& f = particles.deformation_gradient[p];
-        const double across = particles.across_of(p);
-        const double J = f.determinant() * across;
-        const std::array<double, 6> s = cauchy<D>(particles.stress[p], J);
-        append(frame.points, to_array<D>(particles.position[p]));
-        append(velocity, to_array<D>(particles.velocity[p]));
-        append(displacement, to_array<D>(particles.position[p] - state.initial_position[particles.id[p]]));
-        append(half_size, to_array<D>(particles.half_size[p]));
-        stress.insert(stress.end(), s.begin(), s.end());
-        pressure.push_back(-(s[0] + s[1] + s[2]) / 3);
-        mises.push_back(von_mises(s));
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) F.push_back(i < D && j < D ? f(i, j) : (i == j ? across : 0.0));
-        mass.push_back(is_rigid(state, particles.body[p]) ? 0 : particles.mass[p]);
-        volume.push_back(J * particles.volume[p]);
-        body.push_back(particles.body[p]);
-        id.push_back(particles.id[p]);
-    }
-    frame.arrays = {{"velocity", 3, std::move(velocity)},
-                    {"displacement", 3, std::move(displacement)},
-                    {"stress", 6, std::move(stress)},
-                    {"pressure", 1, std::move(pressure)},
-                    {"von_mises_stress", 1, std::move(mises)},
-                    {"deformation_gradient", 9, std::move(F)},
-                    {"mass", 1, std::move(mass)},
-                    {"volume", 1, std::move(volume)},
-                    {"body", 1, std::move(body)},
-                    {"id", 1, std::move(id)},
-                    {"half_size", 3, std::move(half_size)}};
-    const auto add_by_id = [&](const char* name, const std::vector<double>& values) {
-        if (!values.empty()) frame.arrays.push_back({name, 1, values}); // the frame is in the order of ids
-    };
-    add_by_id("temperature", state.temperature);
-    add_by_id("orientation", state.orientation);
-    frame.words.push_back(body_names(state));
-    return frame;
-}
-
-template <int D>
-GridFrame grid_frame(const State<D>& state) {
+GridFrame grid_frame(const State<D>& state, const FrameChoice& choice) {
     const Grid<D>& grid = state.grid;
     GridFrame frame;
     frame.time = state.time;
@@ -179,7 +108,7 @@ GridFrame grid_frame(const State<D>& state) {
         }
     frame.arrays = {
         {"mass", 1, std::move(mass)}, {"velocity", 3, std::move(velocity)}, {"body_count", 1, std::move(count)}};
-    if (state.effects.contact) {
+    if (state.effects.contact && (choice.wants("contact_normal") || choice.wants("contact_separation"))) {
         std::vector<double> normal(3 * n, 0), separation(n, 0);
         for (const ContactGroup<D>& group : state.contact.groups) {
             const std::size_t i = place(group.node);
@@ -192,27 +121,31 @@ GridFrame grid_frame(const State<D>& state) {
         frame.arrays.push_back({"contact_normal", 3, std::move(normal)});
         frame.arrays.push_back({"contact_separation", 1, std::move(separation)});
     }
+    keep_wanted(frame.arrays, choice);
+    frame.globals.push_back(step_number(state.step));
     return frame;
 }
 
 template <int D>
-PointFrame contact_frame(State<D>& state) {
+PointFrame contact_frame(State<D>& state, const FrameChoice& choice) {
     PointFrame frame;
     frame.time = state.time;
+    const bool areas = choice.wants("area");
     std::vector<double> normal, separation, area, force;
     std::vector<std::int32_t> in_contact, body_a, body_b, cloud_size, iterations;
-    std::vector<Pack> gradients = volume_gradients(state);
+    const std::vector<Pack> gradients = areas ? volume_gradients(state) : std::vector<Pack>{};
     for (const ContactGroup<D>& group : state.contact.groups) {
         const Range points = points_in_use(group);
         for (std::int32_t i = points.first; i < points.last; ++i) {
             const ContactPoint<D>& point = state.contact.points[i];
+            if (!choice.has(point.body_a) && !choice.has(point.body_b)) continue;
             append(frame.points, to_array<D>(state.grid.node_position(group.node)));
             append(normal, to_array<D>(point.normal));
             separation.push_back(point.separation);
             in_contact.push_back(!point.impulse.isZero(0));
             body_a.push_back(point.body_a);
             body_b.push_back(point.body_b);
-            area.push_back(point_area(state, group, point, gradients));
+            area.push_back(areas ? point_area(state, group, point, gradients) : 0);
             append(force, to_array<D>(state.dt > 0 ? Vec<D>(point.impulse / state.dt) : Vec<D>::Zero()));
             cloud_size.push_back(point.cloud_size);
             iterations.push_back(point.iterations);
@@ -223,17 +156,17 @@ PointFrame contact_frame(State<D>& state) {
                     {"body_b", 1, std::move(body_b)},         {"area", 1, std::move(area)},
                     {"force", 3, std::move(force)},           {"cloud_size", 1, std::move(cloud_size)},
                     {"iterations", 1, std::move(iterations)}};
+    keep_wanted(frame.arrays, choice);
+    frame.globals.push_back(step_number(state.step));
     frame.words.push_back(body_names(state));
     return frame;
 }
 
 template void look<2>(State<2>&);
 template void look<3>(State<3>&);
-template PointFrame particle_frame<2>(const State<2>&);
-template PointFrame particle_frame<3>(const State<3>&);
-template GridFrame grid_frame<2>(const State<2>&);
-template GridFrame grid_frame<3>(const State<3>&);
-template PointFrame contact_frame<2>(State<2>&);
-template PointFrame contact_frame<3>(State<3>&);
+template GridFrame grid_frame<2>(const State<2>&, const FrameChoice&);
+template GridFrame grid_frame<3>(const State<3>&, const FrameChoice&);
+template PointFrame contact_frame<2>(State<2>&, const FrameChoice&);
+template PointFrame contact_frame<3>(State<3>&, const FrameChoice&);
 
 } // namespace abut

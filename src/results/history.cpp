@@ -44,6 +44,16 @@ double Totals::angular_velocity_z() const {
 
 namespace {
 
+/// Strain energy of a particle [J].
+template <int D>
+double energy_of(const Particles<D>& particles, std::int32_t p, const Law& law, const Strain<D>& strain) {
+    double density = std::visit([&](const auto& l) { return l.template energy<D>(strain); }, law);
+    if (!particles.prestress.empty())
+        density +=
+            prestress_energy<D>(particles.prestress[p], particles.deformation_gradient[p], particles.across_of(p));
+    return particles.volume[p] * density;
+}
+
 template <int D>
 Totals particle_totals(const State<D>& state, std::int32_t p, const Law* law) {
     const Particles<D>& particles = state.particles;
@@ -61,18 +71,21 @@ Totals particle_totals(const State<D>& state, std::int32_t p, const Law* law) {
         t.kinetic_energy += 0.5 * t.mass * v[a] * v[a];
     }
     if (!law) return t; // rigid
-    t.strain_energy =
-        particles.volume[p] * std::visit([&](const auto& l) { return l.template energy<D>(strain); }, *law);
-    if (!particles.prestress.empty())
-        t.strain_energy +=
-            particles.volume[p] *
-            prestress_energy<D>(particles.prestress[p], particles.deformation_gradient[p], particles.across_of(p));
+    t.strain_energy = energy_of(particles, p, *law, strain);
     // V σ = V0 τ
     for (int c = 0; c < 4; ++c) t.stress_volume[c] = particles.volume[p] * particles.stress[p][c];
     return t;
 }
 
 } // namespace
+
+template <int D>
+double strain_energy(const State<D>& state, std::int32_t p) {
+    const Particles<D>& particles = state.particles;
+    if (is_rigid(state, particles.body[p])) return 0;
+    return energy_of(particles, p, state.material_of(particles.body[p]).law,
+                     strain_of<D>(particles.deformation_gradient[p], particles.across_of(p)));
+}
 
 template <int D>
 std::vector<Totals> body_totals(State<D>& state) {
@@ -205,6 +218,8 @@ template Totals deformable_totals<2>(const State<2>&, const std::vector<Totals>&
 template Totals deformable_totals<3>(const State<3>&, const std::vector<Totals>&);
 template std::vector<PairRow> pair_rows<2>(State<2>&, double);
 template std::vector<PairRow> pair_rows<3>(State<3>&, double);
+template double strain_energy<2>(const State<2>&, std::int32_t);
+template double strain_energy<3>(const State<3>&, std::int32_t);
 template std::vector<Totals> body_totals<2>(State<2>&);
 template std::vector<Totals> body_totals<3>(State<3>&);
 template std::vector<std::string> history_columns<2>(const State<2>&);

@@ -27,6 +27,10 @@ struct Totals {
     double angular_velocity_z() const;
 };
 
+/// Strain energy of particle p [J]; 0 in rigid bodies.
+template <int D>
+double strain_energy(const State<D>& state, std::int32_t p);
+
 /// Totals by body; sums are made in the order of particles, whatever the number of threads.
 template <int D>
 std::vector<Totals> body_totals(State<D>& state);

@@ -165,6 +165,15 @@ void check_pair_laws(const Scene& scene, Problems& problems) {
     }
 }
 
+void check_output_names(const Scene& scene, Problems& problems) {
+    const std::vector<std::string> known = body_names(scene);
+    if (is_one_of("", known)) return;
+    const std::vector<std::string>& names = scene.output.bodies;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (!names[i].empty() && !may_be_body(names[i], known, scene))
+            problems.push_back({entry("/output/bodies", i), unknown("body", names[i], known)});
+}
+
 void check_boundary_names(const Scene& scene, Problems& problems) {
     const std::vector<std::string> known = body_names(scene);
     if (is_one_of("", known)) return;
@@ -196,6 +205,7 @@ std::vector<Problem> validate_names(const Scene& scene) {
     check_unique(scene.bodies, "/bodies", problems);
     check_legends(scene, problems);
     check_pair_laws(scene, problems);
+    check_output_names(scene, problems);
     check_unique(scene.boundaries, "/boundaries", problems);
     check_boundary_names(scene, problems);
     return problems;

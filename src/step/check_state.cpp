@@ -2,6 +2,7 @@
 
 #include "boundary/rigid_body.h"
 #include "plan/time_step.h"
+#include "scene/suggest.h"
 #include "step/step.h"
 #include "step/tasks.h"
 
@@ -116,6 +117,17 @@ void check_rigid(const State<D>& state, Problems& problems) {
     }
 }
 
+/// Which bodies an image gives is known only now.
+void check_output_bodies(const std::vector<std::string>& names, const std::vector<ModelBody>& bodies,
+                         Problems& problems) {
+    std::vector<std::string> known;
+    for (const ModelBody& body : bodies) known.push_back(body.name);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (std::none_of(bodies.begin(), bodies.end(), [&](const ModelBody& b) { return b.is_called(names[i]); }))
+            problems.push_back({"/output/bodies/" + std::to_string(i),
+                                "no body \"" + names[i] + "\"" + did_you_mean(names[i], known)});
+}
+
 } // namespace
 
 template <int D>
@@ -146,6 +158,7 @@ std::vector<Problem> check_state(State<D>& state) {
                 break;
             }
     }
+    check_output_bodies(state.scene.output.bodies, state.bodies, problems);
     if (!state.effects.velocity_conditions) return problems;
     find_velocity_fields(state);
     if (state.effects.stored_stencils) store_stencils(state);

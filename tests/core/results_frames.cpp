@@ -1,5 +1,7 @@
 #include "results/frames.h"
 
+#include "results/arrays.h"
+
 #include "dense.h"
 
 #include "contact/find_contacts.h"
@@ -166,6 +168,92 @@ TEST(Frames, CloudsAreTheParticlesThatANodeSees) {
             EXPECT_LE(found.size(), expected.size() + 2) << "round-off at the rim";
         }
     }
+}
+
+std::vector<std::string> names_of(const std::vector<Array>& arrays) {
+    std::vector<std::string> names;
+    for (const Array& array : arrays) names.push_back(array.name);
+    return names;
+}
+
+TEST(Frames, HaveTheArraysOfTheTableWithTheirUnits) {
+    State<2> state = two_blocks(6, ShapeKind::cpdi);
+    state.temperature.assign(state.particles.size(), 293);
+    state.orientation.assign(state.particles.size(), 0.5);
+    look(state);
+    const auto expect = [](const std::vector<Array>& arrays, std::span<const ArrayInfo> table) {
+        EXPECT_EQ(arrays.size(), table.size());
+        for (const ArrayInfo& info : table) {
+            const auto found = std::find_if(arrays.begin(), arrays.end(), [&](auto& a) { return a.name == info.name; });
+            ASSERT_NE(found, arrays.end()) << info.name;
+            EXPECT_EQ(found->components, info.components) << info.name;
+            EXPECT_EQ(found->unit, info.unit) << info.name;
+        }
+    };
+    expect(particle_frame(state).arrays, particle_arrays());
+    expect(grid_frame(state).arrays, grid_arrays());
+    expect(contact_frame(state).arrays, contact_arrays());
+}
+
+TEST(Frames, AChoiceOfArraysLeavesTheirValuesAsTheyAre) {
+    State<2> state = two_blocks(6, ShapeKind::cpdi);
+    run(state, 0.7);
+    look(state);
+    const PointFrame particles = particle_frame(state, {{"stress", "id"}, {}});
+    EXPECT_THAT(names_of(particles.arrays), testing::UnorderedElementsAre("stress", "id"));
+    EXPECT_EQ(numbers(particles.arrays, "stress"), numbers(particle_frame(state).arrays, "stress"));
+    EXPECT_THAT(names_of(grid_frame(state, {{"mass"}, {}}).arrays), testing::ElementsAre("mass"));
+    const PointFrame contact = contact_frame(state, {{"separation"}, {}});
+    EXPECT_THAT(names_of(contact.arrays), testing::ElementsAre("separation"));
+    EXPECT_EQ(numbers(contact.arrays, "separation"), numbers(contact_frame(state).arrays, "separation"));
+}
+
+/// Bodies "grain-1", "grain-2" of the legend entry "grain", and "grain-3", which is a body of its own.
+TEST(Frames, BodiesAreChosenByTheirOwnNamesOrTheirGroups) {
+    State<2> state = two_blocks(6, ShapeKind::cpdi);
+    state.bodies[0].name = "grain-1";
+    state.bodies[0].group = "grain";
+    state.bodies[1].name = "grain-3";
+    const auto chosen = [&](const std::vector<std::string>& names) {
+        state.scene.output.bodies = names;
+        return chosen_bodies(state);
+    };
+    EXPECT_EQ(chosen({}), std::vector<bool>{});
+    EXPECT_EQ(chosen({"grain"}), (std::vector<bool>{true, false}));
+    EXPECT_EQ(chosen({"grain-3"}), (std::vector<bool>{false, true}));
+    EXPECT_EQ(chosen({"grain-3", "grain-1"}), (std::vector<bool>{true, true}));
+}
+
+TEST(Frames, AChoiceOfBodiesKeepsIdsAndContactsWithOthers) {
+    State<2> state = two_blocks(6, ShapeKind::cpdi);
+    run(state, 0.7);
+    look(state);
+    const PointFrame all = particle_frame(state);
+    const PointFrame above = particle_frame(state, {{}, {false, true}});
+    const auto& ids = std::get<1>(above.arrays[9].values);
+    ASSERT_EQ(above.arrays[9].name, "id");
+    ASSERT_EQ(ids.size(), 14u * 8u);
+    const auto& stress = numbers(all.arrays, "stress");
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto id = static_cast<std::size_t>(ids[i]);
+        EXPECT_EQ(std::get<1>(all.arrays[8].values)[id], 1) << "the body";
+        for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(numbers(above.arrays, "stress")[6 * i + k], stress[6 * id + k]);
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(above.points[3 * i + k], all.points[3 * id + k]);
+    }
+    EXPECT_EQ(contact_frame(state, {{}, {false, true}}).points, contact_frame(state).points);
+    EXPECT_TRUE(contact_frame(state, {{}, {false, false}}).points.empty());
+}
+
+TEST(Frames, StrainEnergyDensityAddsUpToTheHistorys) {
+    State<2> state = two_blocks(6, ShapeKind::cpdi);
+    run(state, 1.5);
+    const PointFrame frame = particle_frame(state);
+    double sum = 0;
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        sum += numbers(frame.arrays, "strain_energy_density")[p] * numbers(frame.arrays, "volume")[p];
+    const double expected = totals(state).strain_energy;
+    EXPECT_GT(expected, 0);
+    EXPECT_NEAR(sum, expected, 1e-12 * expected);
 }
 
 } // namespace

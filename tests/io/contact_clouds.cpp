@@ -158,6 +158,7 @@ void expect_field_data(vtkDataSet& data, double time) {
     ASSERT_NE(bodies, nullptr);
     ASSERT_EQ(bodies->GetNumberOfValues(), 3);
     EXPECT_EQ(bodies->GetValue(1), "right, \"b\"");
+    EXPECT_EQ(data.GetFieldData()->GetArray("step")->GetComponent(0, 0), 12);
     auto* methods = vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray("method_names"));
     ASSERT_NE(methods, nullptr);
     ASSERT_EQ(methods->GetNumberOfValues(), 8);
@@ -375,6 +376,7 @@ void check_state_from_frame(const Choice& choice) {
     State<D> again = read_state<D>(state.scene, read_points(folder / "p.vtu", arrays_of_state()));
     look(again);
     EXPECT_EQ(again.time, state.time);
+    EXPECT_EQ(again.step, 12);
     const PointFrame expected = contact_frame(state);
     const PointFrame found = contact_frame(again);
     ASSERT_FALSE(expected.points.empty());

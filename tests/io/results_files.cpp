@@ -10,6 +10,9 @@
 #include <gmock/gmock.h>
 #include <limits>
 #include <sstream>
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLUtilities.h>
 
 namespace abut::test {
 namespace {
@@ -118,6 +121,30 @@ TEST(Pvd, ResumedRunReplacesLaterFrames) {
     std::vector<std::string> files;
     for (const PvdEntry& entry : read_pvd(folder / "p.pvd").entries) files.push_back(entry.file);
     EXPECT_THAT(files, ElementsAre("0", "1", "2b"));
+}
+
+/// As "time part file" for each entry.
+std::vector<std::string> parts_in(const std::filesystem::path& path) {
+    const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
+    vtkXMLDataElement* collection = root->FindNestedElementWithName("Collection");
+    std::vector<std::string> entries;
+    for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
+        vtkXMLDataElement* e = collection->GetNestedElement(i);
+        entries.push_back(std::string(e->GetAttribute("timestep")) + ' ' + e->GetAttribute("part") + ' ' +
+                          e->GetAttribute("name") + ' ' + e->GetAttribute("file"));
+    }
+    return entries;
+}
+
+TEST(Pvd, PartsAtEachTimeAreTheLatestOfEachSeries) {
+    TemporaryFolder folder;
+    const PvdSeries particles{"particles.pvd", {{0, "p0"}, {1, "p1"}, {2, "p2"}}};
+    const PvdSeries grid{"grid.pvd", {{0, "g0"}, {2, "g1"}}};
+    const PvdSeries contact{"contact.pvd", {{1.5, "c0"}}};
+    write_parts(folder / "all.pvd", {{"particles", &particles}, {"grid", &grid}, {"contact", &contact}});
+    EXPECT_THAT(parts_in(folder / "all.pvd"),
+                ElementsAre("0 0 particles p0", "0 1 grid g0", "1 0 particles p1", "1 1 grid g0", "1.5 0 particles p1",
+                            "1.5 1 grid g0", "1.5 2 contact c0", "2 0 particles p2", "2 1 grid g1", "2 2 contact c0"));
 }
 
 TEST(Pvd, BrokenFileIsReported) {

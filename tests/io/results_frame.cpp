@@ -242,5 +242,43 @@ TEST(ReadFrame, BrokenFilesAreReported) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST(WriteFrame, SinglePrecisionRoundsTheRealsToTheNearestFloat) {
+    TemporaryFolder folder;
+    PointFrame frame = sample_frame(100);
+    frame.time = 1.0 / 3;
+    write_particles(folder / "p.vtu", frame, Reals::float32);
+    const auto data = read<vtkXMLUnstructuredGridReader>(folder / "p.vtu");
+    auto rounded = [](std::vector<double> values) {
+        for (double& v : values) v = static_cast<float>(v);
+        return values;
+    };
+    expect_values(data->GetPoints()->GetData(), rounded(frame.points), 3, VTK_FLOAT);
+    expect_values(data->GetPointData()->GetArray("velocity"), rounded(std::get<0>(frame.arrays[0].values)), 3,
+                  VTK_FLOAT);
+    expect_values(data->GetPointData()->GetArray("body"), std::get<1>(frame.arrays[1].values), 1, VTK_INT);
+    expect_values(data->GetFieldData()->GetArray("TimeValue"), std::vector<double>{frame.time}, 1, VTK_DOUBLE);
+    write_particles(folder / "q.vtu", frame);
+    EXPECT_LT(std::filesystem::file_size(folder / "p.vtu"), std::filesystem::file_size(folder / "q.vtu"));
+}
+
+TEST(WriteFrame, ArraysCarryTheirUnits) {
+    TemporaryFolder folder;
+    PointFrame frame = sample_frame(10);
+    frame.arrays[0].unit = "m/s";
+    write_contact(folder / "c.vtp", frame);
+    const auto data = read<vtkXMLPolyDataReader>(folder / "c.vtp");
+    const auto unit = [&](const char* name) {
+        vtkInformation* information = data->GetPointData()->GetArray(name)->GetInformation();
+        return information->Has(vtkDataArray::UNITS_LABEL()) ? information->Get(vtkDataArray::UNITS_LABEL()) : "none";
+    };
+    EXPECT_STREQ(unit("velocity"), "m/s");
+    EXPECT_STREQ(unit("body"), "none");
+    auto* units = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("units"));
+    ASSERT_NE(units, nullptr);
+    ASSERT_EQ(units->GetNumberOfValues(), 2);
+    EXPECT_EQ(units->GetValue(0), "TimeValue [s]");
+    EXPECT_EQ(units->GetValue(1), "velocity [m/s]");
+}
+
 } // namespace
 } // namespace abut::test
