@@ -345,7 +345,7 @@ TEST(InspectContact, LeavesTheRunAsItIs) {
             State<2> state = random_bodies<2>(normal, SeparationMethod::particle_edges, ThreeOrMore::up_to_two);
             state.contact.cloud_capacity = 4; // grows in every search
             int steps = 0;
-            run(state, 0.2, [&] {
+            run(state, 1, [&] {
                 if (++steps % 3) return;
                 look(state);
                 if (!inspect) return;
@@ -376,7 +376,7 @@ TEST(InspectContact, LeavesTheRunAsItIs) {
 TEST(Disagreements, AreThoseOfTheRowsSideBySide) {
     for (const NormalMethod own : {NormalMethod::logistic_regression, NormalMethod::own_gradient}) {
         State<2> state = random_bodies<2>(own, SeparationMethod::particle_edges, ThreeOrMore::explicit_);
-        const double limit = 0.05;
+        const double limit = 0.4;
         std::map<Index<2>, double> expected;
         for (const NodeSeen<2>& node : inspect_contact<2>(state, all_nodes(state)))
             for (const PointSeen<2>& point : node.points) {
@@ -392,7 +392,7 @@ TEST(Disagreements, AreThoseOfTheRowsSideBySide) {
                     }
             }
         const auto found = nodes_in_disagreement(state, limit);
-        EXPECT_GT(found.size(), 5U);
+        EXPECT_GT(found.size(), 3U);
         EXPECT_LT(found.size(), state.contact.groups.size());
         EXPECT_EQ(found.size(), expected.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
