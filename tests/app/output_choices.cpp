@@ -64,9 +64,10 @@ TEST(OutputChoices, ArraysAndBodies) {
     EXPECT_THAT(names_of(read_points(folder / "r/contact/contact_00001.vtp").arrays), ElementsAre("normal"));
     ASSERT_FALSE(particles.points.empty());
     const auto& names = particles.words[0].values;
-    for (const Array& array : particles.arrays)
-        if (array.name == "body")
-            for (const auto body : std::get<1>(array.values)) EXPECT_EQ(names[static_cast<std::size_t>(body)], "ball");
+    for (const Array& array : particles.arrays) {
+        if (array.name != "body") continue;
+        for (const auto body : std::get<1>(array.values)) EXPECT_EQ(names[static_cast<std::size_t>(body)], "ball");
+    }
 }
 
 TEST(OutputChoices, FramesTellStepAndUnits) {
