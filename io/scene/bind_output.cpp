@@ -12,16 +12,23 @@ SeriesSpec bind_series(const Json& json, const std::string& name, const char* li
     return series;
 }
 
+/// The numbers of a list; a wrong entry, which has been told of, holds its place as a text.
+template <class Number>
+void copy_numbers(const Json& list, std::array<Number, 3>& numbers) {
+    for (std::size_t i = 0; list.is_array() && i < std::min(numbers.size(), list.size()); ++i)
+        if (list[i].is_number()) numbers[i] = list[i].get<Number>();
+}
+
 ContactCloudsSpec bind_clouds(const Json& json) {
     ContactCloudsSpec clouds;
     copy_list(json, "nodes", clouds.nodes, [](const Json& entry) {
         std::array<int, 3> node{-1, -1, -1}; // how many are given is checked in validate()
-        for (std::size_t axis = 0; axis < std::min(node.size(), entry.size()); ++axis) node[axis] = entry[axis];
+        copy_numbers(entry, node);
         return node;
     });
     copy_list(json, "near", clouds.near, [](const Json& entry) {
         Vector place{};
-        for (std::size_t axis = 0; axis < std::min(place.size(), entry.size()); ++axis) place[axis] = entry[axis];
+        copy_numbers(entry, place);
         return place;
     });
     copy(json, "disagreement", clouds.disagreement);

@@ -235,6 +235,9 @@ TEST(ContactCloudsOfAScene, AreValidated) {
     EXPECT_THAT(error_of(clouds(R"({"nodes": [[3, 3], [3, 3, 3]]})")),
                 HasSubstr("/output/contact_clouds/nodes/1: must have 2 numbers in a plane scene"));
     EXPECT_THAT(error_of(clouds(R"({"nodes": [[-1, 3]]})")), HasSubstr("/output/contact_clouds/nodes/0/0"));
+    EXPECT_THAT(error_of(clouds(R"({"nodes": [[99999999999, 3]]})")), HasSubstr("/output/contact_clouds/nodes/0/0"));
+    EXPECT_THAT(error_of(clouds(R"({"nodes": [7, "x"]})")),
+                AllOf(HasSubstr("/output/contact_clouds/nodes/0"), HasSubstr("/output/contact_clouds/nodes/1")));
     EXPECT_THAT(error_of(clouds(R"({"near": [["3 mm"]]})")), HasSubstr("/output/contact_clouds/near/0"));
     EXPECT_THAT(error_of(clouds(R"({"disagreement": "3 mm"})")), HasSubstr("an angle"));
     EXPECT_THAT(error_of(R"({"contact": null, "output": {"contact_clouds": {"disagreement": "5 deg"}}})"),

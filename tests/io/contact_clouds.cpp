@@ -60,7 +60,7 @@ State<D> pressed(const Choice& choice = {}) {
     Scene scene;
     scene.analysis = D == 3 ? Analysis::three_d : choice.analysis;
     scene.grid = {{1, 1, D == 3 ? 1.0 : 0.0}, {0, 0, 0}, {8, 8, D == 3 ? 6.0 : 0.0}};
-    scene.time.end = 1;
+    scene.time.end = 100;
     scene.method.shape = ShapeKind::cpdi;
     MaterialSpec material;
     material.name = "solid";
@@ -94,7 +94,7 @@ State<D> pressed(const Choice& choice = {}) {
     State<D> state = make_state<D>(scene, model);
     auto tasks = step_tasks<D>(scene);
     for (int step = 0; step < 12; ++step) {
-        state.dt = next_step(state, 1);
+        state.dt = next_step(state, 100);
         advance(state, tasks);
     }
     look(state);
@@ -331,7 +331,7 @@ TEST(ContactClouds, SeriesOfARunListWhatWasWritten) {
     write_contact_clouds(state, folder.path, 4);
     auto tasks = step_tasks<2>(state.scene);
     for (int step = 0; step < 3; ++step) {
-        state.dt = next_step(state, 1);
+        state.dt = next_step(state, 100);
         advance(state, tasks);
     }
     look(state);
