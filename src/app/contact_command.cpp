@@ -161,7 +161,8 @@ void print_point(const State<D>& state, const PointSeen<D>& point) {
         std::string normal = "none";
         if (!plane.normal.isZero(0)) {
             normal.clear();
-            for (int a = 0; a < D; ++a) normal += fmt::format("{:>8.5f} ", plane.normal[a]);
+            for (int a = 0; a < D; ++a) // + 0.0: no "-0.00000"
+                normal += fmt::format("{:>8.5f} ", std::round(plane.normal[a] * 1e5) / 1e5 + 0.0);
         }
         fmt::print("{} {:<20} {:<{}} {:>10} {:>10} {:>9} {:>9} | {:>14} {:>17} {:>15} {:>12}\n",
                    plane.chosen ? '*' : ' ', text_of(normal_words, plane.method), normal, D * 9,
