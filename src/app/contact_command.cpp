@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace abut {
@@ -55,7 +56,7 @@ ChosenFrame choose_frame(const ContactOptions& options) {
                                     [&](const ChosenFrame& frame) { return frame.number == *options.step; });
     if (found != frames.end()) return *found;
     std::vector<int> numbers;
-    for (const ChosenFrame& frame : frames) numbers.push_back(frame.number);
+    std::ranges::transform(frames, std::back_inserter(numbers), &ChosenFrame::number);
     const bool gapless = numbers.back() - numbers.front() + 1 == static_cast<int>(numbers.size());
     throw UsageError(fmt::format("--step {}: there is no such frame; there are {}", *options.step,
                                  gapless ? fmt::format("{} to {}", numbers.front(), numbers.back())

@@ -1,12 +1,7 @@
 /// Contact nodes taken apart: against closed forms, brute force over the particles, and the run's own contacts.
 
-#include "support.h"
+#include "contact_inspect.h"
 
-#include "contact/inspect.h"
-#include "contact/separation/particle_edges.h"
-#include "results/frames.h"
-
-#include <cstring>
 #include <set>
 
 namespace {
@@ -14,22 +9,6 @@ namespace {
 using namespace test;
 
 constexpr auto particle_edges = 0, critical_position = 1, displacement = 3;
-
-/// Two blocks of 2 x 2 particles a cell with their faces at y = 4 − gap/2 and 4 + gap/2, a cell being 1.
-State<2> two_blocks(double gap, NormalMethod normal = NormalMethod::logistic_regression,
-                    SeparationMethod separation = SeparationMethod::particle_edges) {
-    Scene scene = plane_scene(1, 0, 0, 8, 8, material(1, 10, 3));
-    scene.method.shape = ShapeKind::ugimp;
-    scene.contact = contact(LawType::frictionless);
-    scene.contact->normal = normal;
-    scene.contact->separation = separation;
-    Model model;
-    add_box(model, add_body(model, "lower"), 1, 2 - gap / 2, 7, 4 - gap / 2, 12, 4);
-    add_box(model, add_body(model, "upper"), 1, 4 + gap / 2, 7, 6 + gap / 2, 12, 4);
-    State<2> state = make_state<2>(scene, model);
-    look(state);
-    return state;
-}
 
 const PlaneSeen<2>& plane_of(const PointSeen<2>& point, NormalMethod method) {
     return *std::find_if(point.planes.begin(), point.planes.end(),
@@ -120,58 +99,6 @@ TEST(InspectContact, TurnedBlocksKeepTheirNormalAndGap) {
     EXPECT_NEAR(chosen.place(), to_face, 5e-3);
     for (const ParticleSeen<2>& particle : seen.points[0].cloud)
         EXPECT_NEAR(particle.distance, (particle.position - Vec<2>(8.13, 8.29)).dot(n), 0.05);
-}
-
-/// Three bodies at random deformation, so that nothing is symmetric.
-template <int D>
-State<D> random_bodies(NormalMethod normal, SeparationMethod separation, ThreeOrMore three, bool rigid = false) {
-    Scene scene = D == 2 ? plane_scene(1, 0, 0, 10, 10, material(1, 10, 3)) : space_scene(1, 0, 8, material(1, 10, 3));
-    scene.method.shape = ShapeKind::ugimp;
-    scene.contact = contact(LawType::friction, 0.3);
-    scene.contact->normal = normal;
-    scene.contact->separation = separation;
-    scene.contact->three_or_more = three;
-    scene.contact->direction = {0.6, -1.2, 0};
-    Model model;
-    for (const char* name : {"left", "right", "upper"})
-        add_body(model, name, {0.01 * double(model.bodies.size()), 0, 0});
-    if constexpr (D == 2) {
-        add_box(model, 0, 2.2, 2.4, 5.2, 5.4, 6, 6);
-        add_box(model, 1, 5.25, 2.3, 8.25, 5.3, 6, 6);
-        add_box(model, 2, 3.3, 5.45, 7.3, 8.45, 8, 6);
-    } else {
-        add_cube(model, 0, {1.9, 2.1, 2.2}, 2, 4);
-        add_cube(model, 1, {3.95, 2.2, 2.3}, 2, 4);
-        add_cube(model, 2, {2.9, 4.2, 2.1}, 2, 4);
-    }
-    if (rigid) {
-        RigidSpec motion;
-        motion.velocity[0] = 0.1;
-        model.bodies[1].rigid = motion;
-        model.bodies[1].material = -1;
-        scene.bodies.resize(1);
-        scene.bodies[0].rigid = motion; // so that the scene's effects know of it
-    }
-    State<D> state = make_state<D>(scene, model);
-    std::mt19937 random(1);
-    for (std::size_t p = 0; p < state.particles.size(); ++p)
-        if (!rigid || state.particles.body[p] != 1)
-            state.particles.deformation_gradient[p] = random_deformation<D>(random, 0.1);
-    look(state);
-    return state;
-}
-
-template <int D>
-Index<D> in_scene(Index<D> node) {
-    for (int& i : node) i -= grid_margin;
-    return node;
-}
-
-template <int D>
-std::vector<Index<D>> all_nodes(const State<D>& state) {
-    std::vector<Index<D>> nodes;
-    for (const ContactGroup<D>& group : state.contact.groups) nodes.push_back(in_scene<D>(group.node));
-    return nodes;
 }
 
 /// For each method chosen by the scene, its own row is what `look` found, bit for bit, and in every other scene the row
@@ -336,96 +263,6 @@ TEST(InspectContact, ANodeThatIsNoContactNodeHasNoPoints) {
     EXPECT_TRUE(seen[2].points.empty());
     EXPECT_EQ(seen[3].points.size(), 1U) << "asked for twice";
     EXPECT_TRUE(inspect_contact<2>(state, {}).empty());
-}
-
-/// A run that is looked into goes on as one that isn't, bit for bit.
-TEST(InspectContact, LeavesTheRunAsItIs) {
-    for (const NormalMethod normal : {NormalMethod::logistic_regression, NormalMethod::own_gradient}) {
-        const auto end = [&](bool inspect) {
-            State<2> state = random_bodies<2>(normal, SeparationMethod::particle_edges, ThreeOrMore::up_to_two);
-            state.contact.cloud_capacity = 4; // grows in every search
-            int steps = 0;
-            run(state, 1, [&] {
-                if (++steps % 3) return;
-                look(state);
-                if (!inspect) return;
-                const PointFrame before = contact_frame(state);
-                const Contact<2> contact = state.contact;
-                inspect_contact<2>(state, all_nodes(state));
-                nodes_in_disagreement(state, 0.01);
-                EXPECT_EQ(state.contact.points.size(), contact.points.size());
-                const PointFrame after = contact_frame(state);
-                for (std::size_t i = 0; i < before.arrays.size(); ++i)
-                    EXPECT_EQ(before.arrays[i].values, after.arrays[i].values) << before.arrays[i].name;
-            });
-            EXPECT_GT(steps, 6);
-            return state;
-        };
-        const State<2> a = end(false);
-        const State<2> b = end(true);
-        EXPECT_EQ(a.step, b.step);
-        EXPECT_EQ(a.particles.position, b.particles.position);
-        EXPECT_EQ(a.particles.velocity, b.particles.velocity);
-        EXPECT_EQ(a.particles.stress, b.particles.stress);
-        EXPECT_EQ(a.ledger.contact_work, b.ledger.contact_work);
-        EXPECT_EQ(b.scene.contact->normal, normal);
-        EXPECT_EQ(b.scene.contact->separation, SeparationMethod::particle_edges);
-    }
-}
-
-TEST(Disagreements, AreThoseOfTheRowsSideBySide) {
-    for (const NormalMethod own : {NormalMethod::logistic_regression, NormalMethod::own_gradient}) {
-        State<2> state = random_bodies<2>(own, SeparationMethod::particle_edges, ThreeOrMore::explicit_);
-        const double limit = 0.4;
-        std::map<Index<2>, double> expected;
-        for (const NodeSeen<2>& node : inspect_contact<2>(state, all_nodes(state)))
-            for (const PointSeen<2>& point : node.points) {
-                if (!(point.chosen().separation[particle_edges] < disagreement_reach)) continue;
-                for (const PlaneSeen<2>& p : point.planes)
-                    for (const PlaneSeen<2>& q : point.planes) {
-                        if (p.fitted.isZero(0) || q.fitted.isZero(0)) continue;
-                        if (own != NormalMethod::own_gradient &&
-                            (p.method == NormalMethod::own_gradient || q.method == NormalMethod::own_gradient))
-                            continue;
-                        const double angle = std::acos(std::clamp(p.fitted.dot(q.fitted), -1.0, 1.0));
-                        if (angle > limit) expected[node.node] = std::max(expected[node.node], angle);
-                    }
-            }
-        const auto found = nodes_in_disagreement(state, limit);
-        EXPECT_GT(found.size(), 3U);
-        EXPECT_LT(found.size(), state.contact.groups.size());
-        EXPECT_EQ(found.size(), expected.size());
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            EXPECT_NEAR(found[i].angle, expected[found[i].node], 1e-6);
-            if (i > 0) {
-                EXPECT_LE(found[i].angle, found[i - 1].angle);
-            }
-        }
-    }
-}
-
-TEST(Disagreements, AreNoneWhereAllAgreeOrBodiesAreFarApart) {
-    State<2> near = two_blocks(0.1);
-    for (const Disagreement<2>& one : nodes_in_disagreement(near, 1e-6))
-        EXPECT_TRUE(one.node[0] <= 1 || one.node[0] >= 7) << "at the blocks' corners only";
-    State<2> far = two_blocks(0.9);
-    EXPECT_FALSE(far.contact.groups.empty());
-    EXPECT_TRUE(nodes_in_disagreement(far, 0).empty());
-}
-
-TEST(NearestContactNode, IsThatOfBruteForce) {
-    const State<2> state = two_blocks(0.1);
-    EXPECT_EQ(nearest_contact_node<2>(state, {4.4, 0}), (Index<2>{4, 4}));
-    EXPECT_EQ(nearest_contact_node<2>(state, {-50, 4.2})->at(1), 4);
-    const State<2> apart = two_blocks(3.9);
-    EXPECT_FALSE(nearest_contact_node<2>(apart, {4, 4}));
-}
-
-TEST(AngleBetween, IsAccurateForSmallAndLargeAngles) {
-    EXPECT_NEAR(angle_between<2>({2, 0}, {3, 3e-9}), 1e-9, 1e-22);
-    EXPECT_NEAR(angle_between<2>({2, 0}, {-1, 0}), M_PI, 1e-15);
-    EXPECT_NEAR(angle_between<3>({0, 0, 5}, {0, 1, 0}), M_PI / 2, 1e-15);
-    EXPECT_TRUE(std::isnan(angle_between<2>({0, 0}, {1, 0})));
 }
 
 } // namespace

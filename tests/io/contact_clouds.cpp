@@ -1,18 +1,13 @@
-/// Files of contact nodes taken apart, read back with VTK; states from frames.
+/// Files of contact nodes taken apart, read back with VTK.
 
+#include "contact_clouds_support.h"
 #include "io/results/pvd.h"
-#include "io/results/read_frame.h"
-#include "io/results/read_state.h"
 #include "io/results/write_contact_clouds.h"
-#include "io/results/write_frame.h"
 #include "io/scene/words.h"
-#include "results/frames.h"
-#include "results_support.h"
-#include "step/step.h"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <gmock/gmock.h>
+#include <set>
 #include <sstream>
 #include <vtkCell.h>
 #include <vtkCellData.h>
@@ -32,84 +27,6 @@ using testing::HasSubstr;
 
 constexpr const char* array_of_separation[] = {"separation_particle_edges", "separation_critical_position",
                                                "separation_fitted_position", "separation_displacement"};
-
-struct Choice {
-    Analysis analysis = Analysis::plane_strain;
-    bool rigid = false;
-    NormalMethod normal = NormalMethod::logistic_regression;
-    SeparationMethod separation = SeparationMethod::particle_edges;
-};
-
-BodySpec body_spec(const std::string& name, bool rigid) {
-    BodySpec body;
-    body.name = name;
-    if (rigid) {
-        body.rigid = RigidSpec{};
-        body.rigid->velocity[1] = -0.2;
-        body.rigid->angular_velocity = 0.1;
-        if (rigid) body.rigid->axis = {0, 0, 1};
-    } else {
-        body.material = "solid";
-    }
-    return body;
-}
-
-/// Three bodies that press on one another, after some steps, `look`ed at.
-template <int D>
-State<D> pressed(const Choice& choice = {}) {
-    Scene scene;
-    scene.analysis = D == 3 ? Analysis::three_d : choice.analysis;
-    scene.grid = {{1, 1, D == 3 ? 1.0 : 0.0}, {0, 0, 0}, {8, 8, D == 3 ? 6.0 : 0.0}};
-    scene.time.end = 100;
-    scene.method.shape = ShapeKind::cpdi;
-    MaterialSpec material;
-    material.name = "solid";
-    material.density = 2;
-    material.bulk_modulus = 10;
-    material.shear_modulus = 4;
-    scene.materials = {material};
-    scene.contact.emplace();
-    scene.contact->normal = choice.normal;
-    scene.contact->separation = choice.separation;
-    scene.contact->law = {LawType::friction, 0.3};
-    scene.bodies = {body_spec("left", false), body_spec("right, \"b\"", false), body_spec("upper", choice.rigid)};
-    Model model;
-    for (const BodySpec& body : scene.bodies) model.bodies.push_back({body.name, body.rigid ? -1 : 0, {}, body.rigid});
-    model.bodies[0].velocity.value = {0.4, 0.1, 0};
-    model.bodies[1].velocity.value = {-0.4, 0, 0};
-    model.bodies[2].velocity.value = {0, -0.4, 0};
-    const auto box = [&](int body, Vector lower, int nx, int ny, int nz) {
-        for (int k = 0; k < (D == 3 ? nz : 1); ++k)
-            for (int j = 0; j < ny; ++j)
-                for (int i = 0; i < nx; ++i) {
-                    model.position.push_back(
-                        {lower[0] + 0.5 * i + 0.25, lower[1] + 0.5 * j + 0.25, D == 3 ? lower[2] + 0.5 * k + 0.25 : 0});
-                    model.half_size.push_back({0.25, 0.25, D == 3 ? 0.25 : 0});
-                    model.body.push_back(body);
-                }
-    };
-    box(0, {2.1, 2, 2}, 4, 4, 3);
-    box(1, {4.15, 2.1, 2}, 4, 4, 3);
-    box(2, {3, 4.15, 2}, 4, 4, 3);
-    State<D> state = make_state<D>(scene, model);
-    auto tasks = step_tasks<D>(scene);
-    for (int step = 0; step < 12; ++step) {
-        state.dt = next_step(state, 100);
-        advance(state, tasks);
-    }
-    look(state);
-    return state;
-}
-
-template <int D>
-std::vector<Index<D>> all_nodes(const State<D>& state) {
-    std::vector<Index<D>> nodes;
-    for (const ContactGroup<D>& group : state.contact.groups) {
-        nodes.push_back(group.node);
-        for (int& i : nodes.back()) i -= grid_margin;
-    }
-    return nodes;
-}
 
 template <class Reader>
 auto read(const std::filesystem::path& path) {
@@ -364,119 +281,6 @@ TEST(ContactClouds, SeriesOfARunListWhatWasWritten) {
         expected.insert({double(one.node[0]), double(one.node[1])});
     EXPECT_EQ(written, expected);
     EXPECT_FALSE(written.empty());
-}
-
-// === States from frames
-
-template <int D>
-void check_state_from_frame(const Choice& choice) {
-    const TemporaryFolder folder;
-    State<D> state = pressed<D>(choice);
-    write_particles(folder / "p.vtu", particle_frame(state));
-    State<D> again = read_state<D>(state.scene, read_points(folder / "p.vtu", arrays_of_state()));
-    look(again);
-    EXPECT_EQ(again.time, state.time);
-    EXPECT_EQ(again.step, 12);
-    const PointFrame expected = contact_frame(state);
-    const PointFrame found = contact_frame(again);
-    ASSERT_FALSE(expected.points.empty());
-    EXPECT_EQ(found.points, expected.points);
-    for (std::size_t i = 0; i < expected.arrays.size(); ++i) {
-        const std::string& name = expected.arrays[i].name;
-        if (name == "force" || name == "in_contact") continue; // of the last step
-        if (const auto* reals = std::get_if<std::vector<double>>(&expected.arrays[i].values)) {
-            const auto& others = std::get<std::vector<double>>(found.arrays[i].values);
-            ASSERT_EQ(others.size(), reals->size());
-            for (std::size_t k = 0; k < reals->size(); ++k)
-                if (std::isfinite((*reals)[k]))
-                    EXPECT_NEAR(others[k], (*reals)[k], 1e-12) << name;
-                else
-                    EXPECT_EQ(others[k], (*reals)[k]) << name;
-        } else {
-            EXPECT_EQ(found.arrays[i].values, expected.arrays[i].values) << name;
-        }
-    }
-    for (std::size_t p = 0; p < state.particles.size(); ++p) { // masses are what extrapolated positions hang on
-        const auto id = static_cast<std::size_t>(state.particles.id[p]);
-        const auto q = std::find(again.particles.id.begin(), again.particles.id.end(), id) - again.particles.id.begin();
-        EXPECT_NEAR(again.particles.mass[q], state.particles.mass[p], 1e-14 * state.particles.mass[p]);
-        EXPECT_NEAR(again.particles.volume[q], state.particles.volume[p], 1e-14 * state.particles.volume[p]);
-    }
-}
-
-TEST(ReadState, FindsTheContactsOfTheRun) {
-    for (const NormalMethod normal :
-         {NormalMethod::logistic_regression, NormalMethod::average_gradient, NormalMethod::own_gradient})
-        for (const SeparationMethod separation : {SeparationMethod::particle_edges, SeparationMethod::fitted_position,
-                                                  SeparationMethod::displacement, SeparationMethod::none})
-            check_state_from_frame<2>({Analysis::plane_strain, false, normal, separation});
-}
-TEST(ReadState, FindsThemInEveryAnalysis) {
-    for (const Analysis analysis : {Analysis::plane_stress, Analysis::axisymmetric})
-        check_state_from_frame<2>({analysis, false, NormalMethod::average_gradient, SeparationMethod::fitted_position});
-    check_state_from_frame<3>({});
-}
-TEST(ReadState, FindsThemAtRigidBodies) {
-    check_state_from_frame<2>(
-        {Analysis::plane_strain, true, NormalMethod::average_gradient, SeparationMethod::fitted_position});
-    check_state_from_frame<3>({Analysis::three_d, true});
-}
-
-TEST(ReadState, KnowsBodiesOfImagesByTheirGroups) {
-    State<2> state = pressed<2>();
-    const PointFrame frame = [&] {
-        PointFrame f = particle_frame(state);
-        f.words[0].values = {"grain-001", "grain-big-002", "upper"};
-        return f;
-    }();
-    Scene scene = state.scene;
-    scene.bodies = {body_spec("upper", false)};
-    scene.materials.push_back(scene.materials[0]);
-    scene.materials[1].name = "hard";
-    scene.materials[1].density = 7;
-    ImageSpec image;
-    image.bodies = BodiesBy::component;
-    for (const char* name : {"grain", "grain-big"}) {
-        LegendEntry entry;
-        entry.body = name;
-        entry.material = image.legend.empty() ? "solid" : "hard";
-        image.legend.push_back(entry);
-    }
-    scene.images = {image};
-    const State<2> read = read_state<2>(scene, frame);
-    EXPECT_EQ(read.bodies[0].group, "grain");
-    EXPECT_EQ(read.bodies[1].group, "grain-big");
-    EXPECT_EQ(read.bodies[1].material, 1);
-    EXPECT_EQ(read.bodies[2].group, "");
-    EXPECT_EQ(read.bodies[2].material, 0);
-}
-
-TEST(ReadState, SaysWhatIsMissing) {
-    State<2> state = pressed<2>();
-    const PointFrame good = particle_frame(state);
-    const auto error = [&](const Scene& scene, const PointFrame& frame) {
-        return error_of([&] { read_state<2>(scene, frame); });
-    };
-    for (const std::string& name : arrays_of_state()) {
-        PointFrame frame = good;
-        std::erase_if(frame.arrays, [&](const Array& array) { return array.name == name; });
-        EXPECT_THAT(error(state.scene, frame), HasSubstr("no array \"" + name + "\""));
-    }
-    Scene some = state.scene;
-    some.output.bodies = {"left"};
-    EXPECT_THAT(error(some, good), HasSubstr("only the particles of some bodies were written"));
-    PointFrame cut = good;
-    for (Array& array : cut.arrays)
-        std::visit([&](auto& values) { values.erase(values.begin(), values.begin() + array.components); },
-                   array.values);
-    cut.points.erase(cut.points.begin(), cut.points.begin() + 3);
-    EXPECT_THAT(error(state.scene, cut), HasSubstr("doesn't hold all particles"));
-    PointFrame unnamed = good;
-    unnamed.words.clear();
-    EXPECT_THAT(error(state.scene, unnamed), HasSubstr("body_names"));
-    PointFrame other = good;
-    other.words[0].values[0] = "elsewhere";
-    EXPECT_THAT(error(state.scene, other), HasSubstr("a body \"elsewhere\" that the scene doesn't have"));
 }
 
 } // namespace
