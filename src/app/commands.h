@@ -55,6 +55,14 @@ struct RenderRequest {
     bool quiet = false;
 };
 
+struct ContactOptions {
+    std::filesystem::path results;   ///< result folder
+    std::optional<int> step;         ///< number of the frame, as in the names of its files; the last if not given
+    std::optional<std::string> node; ///< "I,J" or "I,J,K"
+    std::optional<std::string> near; ///< "X,Y" or "X,Y,Z", lengths as in a scene file
+    std::filesystem::path output;    ///< empty: RESULTS/clouds
+};
+
 /// What isn't given is chosen by the kind of grains.
 struct PackOptions {
     std::filesystem::path file; ///< its extension says what is written
@@ -89,6 +97,7 @@ int check_command(const SceneOptions& options, const std::filesystem::path& png)
 int particles_command(const SceneOptions& options, ParticlesOptions preview);
 int render_command(const RenderRequest& request);
 int plot_command(const std::filesystem::path& results, const PlotOptions& options);
+int contact_command(const ContactOptions& options);
 int pack_command(const PackOptions& options);
 int schema_command();
 int reference_command();

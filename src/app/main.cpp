@@ -176,6 +176,18 @@ int run_program(int argc, char** argv) {
     add_plot(*plot, results, plot_options);
     plot->callback([&] { action = [&] { return plot_command(results, plot_options); }; });
 
+    ContactOptions contact_options;
+    CLI::App* contact = program.add_subcommand("contact", "Takes a contact node of a result apart, method by method");
+    contact->add_option("DIR", contact_options.results, "result folder")->required();
+    contact->add_option("--step", contact_options.step,
+                        "number of the frame, as in particles_0000N.vtu; default the last");
+    CLI::Option* node = contact->add_option("--node", contact_options.node,
+                                            "I,J[,K]: the node, by its numbers along the axes from grid/lower");
+    contact->add_option("--near", contact_options.near, "X,Y[,Z]: the nearest contact node, e.g. 0.5mm,1mm")
+        ->excludes(node);
+    contact->add_option("-o,--output", contact_options.output, "folder of the files; default DIR/clouds");
+    contact->callback([&] { action = [&] { return contact_command(contact_options); }; });
+
     PackOptions packing;
     CLI::App* pack = program.add_subcommand("pack", "Packs random grains densely, as a bitmap or as shapes of a scene");
     pack->add_option("FILE", packing.file, "by its name: .png, .bmp or .tif a bitmap, .json a scene of shapes")

@@ -44,6 +44,17 @@ struct SurfaceFrame {
     std::vector<Words> words;                     ///< field data
 };
 
+/// Cells of one kind with arrays: domains of particles (VTU), planes (VTU, VTP).
+struct CellFrame {
+    double time = 0;
+    std::vector<double> points; ///< corners, 3 coordinates each [m]
+    int corners = 4;            ///< of a cell: 2 a segment, 4 a quadrilateral, 8 a hexahedron (VTK's order)
+    std::vector<std::int32_t> corner_points; ///< numbers of the corners' points, cell after cell
+    std::vector<Array> arrays;               ///< cell data
+    std::vector<Array> globals;              ///< field data
+    std::vector<Words> words;                ///< field data
+};
+
 /// The grid's nodes with arrays (VTI) at one time; x runs fastest.
 struct GridFrame {
     double time = 0;
