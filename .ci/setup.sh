@@ -17,6 +17,7 @@ packages=(
     libcgal-dev libmuparser-dev
     libvtk9-dev libegl-dev libgl1-mesa-dri # pictures are rendered through EGL, without a display
     libgtest-dev libgmock-dev libbenchmark-dev
+    python3-vtk9 python3-numpy # tests of paraview/
     "$@"
 )
 

@@ -7,12 +7,13 @@ source .ci/phase.sh
 
 usage() {
     cat <<'END'
-usage: tests/run.sh [--full] [--asan] [--tidy]
+usage: tests/run.sh [--full] [--no-paraview] [--asan] [--tidy]
 
-Installs the packages that are missing (Debian 12), checks the format of the sources, builds abut and its tests in
+Installs the packages that are missing (Debian 12) and ParaView, checks the format of the sources, builds abut and its tests in
 build/release with warnings as errors, and runs the tests (all but the published cases at full size).
 
   --full  also the published cases at full size (hours)
+  --no-paraview  does not install ParaView (0.7 GB); its test is skipped if it isn't there
   --asan  instead: the tests under the address and undefined-behaviour sanitizers, in build/asan
   --tidy  instead: clang-tidy over the libraries and the program, in build/tidy; installs clang-tidy
   --help  this text
@@ -20,10 +21,12 @@ END
 }
 
 full=no
+paraview=yes
 preset=release
 for argument in "$@"; do
     case $argument in
         --full) full=yes ;;
+        --no-paraview) paraview=no ;;
         --asan) preset=asan ;;
         --tidy) preset=tidy ;;
         -h | --help)
@@ -60,6 +63,9 @@ if [[ $preset == tidy ]]; then
 fi
 
 phase "Packages" bash .ci/setup.sh
+if [[ $preset == release && $paraview == yes ]]; then
+    phase "ParaView" bash .ci/paraview.sh
+fi
 badly_formatted=no
 format_or_note() { format || badly_formatted=yes; }
 phase "Format of the sources" format_or_note

@@ -120,7 +120,7 @@ void add_scale_bar(Picture& picture, const Layout& layout) {
          ink});
 }
 
-void add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& scale) {
+double add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& scale, double below) {
     const double unit = layout.unit, size = font * unit;
     const double left = pixel_centre(layout.plot_upper[0] + gap * unit), right = pixel_centre(left + bar_width * unit);
     double y = layout.plot_upper[1] - text_height(size);
@@ -129,14 +129,27 @@ void add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& s
         y -= 1.35 * size;
     }
     // A bar as high as the scene gets unwieldy in tall pictures.
+    // Tips at its ends stand for values beyond.
+    const double tip = std::round(0.7 * bar_width * unit);
+    if (scale.above) y -= tip;
+    if (scale.below) below += tip;
     const double high = pixel_centre(y),
-                 low = pixel_centre(std::max(layout.plot_lower[1] + 4 * unit, high - 520 * unit));
+                 low = pixel_centre(std::max(layout.plot_lower[1] + below + 4 * unit, high - 520 * unit));
     const int steps = std::max(1, static_cast<int>(std::lround(high - low))); // both on pixel centres
     for (int step = 0; step < steps; ++step)
         picture.quads.add_rectangle({left, low + step}, {right, low + step + 1},
                                     map_colour(scale.map, (step + 0.5) / (high - low)));
-    for (const Pixel& y01 : {Pixel{low, low}, Pixel{high, high}})
-        add_line(picture.quads, {left, y01[0]}, {right, y01[1]}, unit, faint);
+    for (const bool top : {false, true}) {
+        const double end = top ? high : low;
+        if (!(top ? scale.above : scale.below)) {
+            add_line(picture.quads, {left, end}, {right, end}, unit, faint);
+            continue;
+        }
+        const Pixel peak{(left + right) / 2, end + (top ? tip : -tip)};
+        picture.quads.add({left, end}, {right, end}, peak, peak, map_colour(scale.map, top ? 1 : 0));
+        add_line(picture.quads, {left, end}, peak, unit, faint);
+        add_line(picture.quads, {right, end}, peak, unit, faint);
+    }
     for (const double x : {left, right}) add_line(picture.quads, {x, low}, {x, high}, unit, faint);
     for (const auto& [value, label] : scale.ticks) {
         const double at = low + (value - scale.lower) / (scale.upper - scale.lower) * (high - low);
@@ -148,6 +161,7 @@ void add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& s
                                   false,
                                   ink});
     }
+    return scale.below ? low - tip : low;
 }
 
 void add_legend(Picture& picture, const Layout& layout, const std::vector<LegendItem>& legend) {

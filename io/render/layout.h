@@ -34,7 +34,8 @@ Layout make_layout(const Bounds& bounds, int width, int height, double panel);
 
 void add_title(Picture& picture, const Layout& layout, const std::string& title, const std::string& time);
 void add_scale_bar(Picture& picture, const Layout& layout);
-void add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& scale);
+/// \param below height left free under the bar [pixels] \return where it ends below [pixels]
+double add_colour_bar(Picture& picture, const Layout& layout, const ColourScale& scale, double below = 0);
 /// Items for which the height has no room are counted in a last line.
 void add_legend(Picture& picture, const Layout& layout, const std::vector<LegendItem>& legend);
 

@@ -4,6 +4,7 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <atomic>
 #include <fmt/format.h>
 #include <stdexcept>
 #include <string_view>
@@ -15,12 +16,15 @@
 namespace abut {
 namespace {
 
+std::atomic<bool> any_context{false};
+
 [[noreturn]] void fail(std::string_view what) {
     throw std::runtime_error(fmt::format("cannot render: {} (EGL error {:#x}); is libgl1-mesa-dri installed?", what,
                                          static_cast<unsigned>(eglGetError())));
 }
 
 EGLDisplay surfaceless_display() {
+    any_context = true;
     // Asked for by extension: the platform exists in EGL 1.5 and, as an extension, before.
     const auto get_platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
@@ -88,6 +92,10 @@ OffscreenContext::OffscreenContext() : state_(std::make_unique<State>()) {
 }
 
 OffscreenContext::~OffscreenContext() = default;
+
+bool OffscreenContext::used() {
+    return any_context;
+}
 
 vtkRenderWindow& OffscreenContext::window() {
     return *state_->window;

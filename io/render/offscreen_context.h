@@ -19,6 +19,9 @@ public:
 
     vtkRenderWindow& window();
 
+    /// Whether this process has had a context, also one that is gone: a process forked from it cannot have one.
+    static bool used();
+
 private:
     struct State;
     std::unique_ptr<State> state_;

@@ -13,7 +13,6 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -37,11 +36,14 @@ namespace {
 constexpr int dots_per_inch = 72;  // font sizes are then pixels
 constexpr double quad_depth = 100; // quads lie at z from 0 to this, dots and faces below 0
 
-vtkSmartPointer<vtkUnsignedCharArray> colour_array(const std::vector<Rgb>& colours) {
+/// Colours of points, `corners` successive ones of each colour: VTK draws them faster than colours of cells.
+vtkSmartPointer<vtkUnsignedCharArray> colour_array(const std::vector<Rgb>& colours, std::size_t corners) {
     auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
     array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(colours.size()));
-    for (std::size_t i = 0; i < colours.size(); ++i) array->SetTypedTuple(static_cast<vtkIdType>(i), colours[i].data());
+    array->SetNumberOfTuples(static_cast<vtkIdType>(colours.size() * corners));
+    std::uint8_t* out = array->GetPointer(0);
+    for (const Rgb& colour : colours)
+        for (std::size_t k = 0; k < corners; ++k) out = std::copy(colour.begin(), colour.end(), out);
     return array;
 }
 
@@ -85,7 +87,7 @@ vtkSmartPointer<vtkActor> actor_of(const Quads& quads) {
         return step * static_cast<double>(quad);
     }));
     data->SetPolys(cell_array(quads.corners.size(), 4));
-    data->GetCellData()->SetScalars(colour_array(quads.colours));
+    data->GetPointData()->SetScalars(colour_array(quads.colours, 4));
     return actor_of(data);
 }
 
@@ -93,7 +95,7 @@ vtkSmartPointer<vtkActor> actor_of(const Faces& faces, double front) {
     vtkNew<vtkPolyData> data;
     data->SetPoints(point_array(faces.corners, [&](std::size_t i) { return faces.depths[i] - front; }));
     data->SetPolys(cell_array(faces.corners.size(), 4));
-    data->GetCellData()->SetScalars(colour_array(faces.colours));
+    data->GetPointData()->SetScalars(colour_array(faces.colours, 4));
     return actor_of(data);
 }
 
@@ -101,7 +103,7 @@ vtkSmartPointer<vtkActor> actor_of(const Dots& dots, double front) {
     vtkNew<vtkPolyData> data;
     data->SetPoints(point_array(dots.centres, [&](std::size_t i) { return dots.depths[i] - front; }));
     data->SetVerts(cell_array(dots.centres.size(), 1));
-    data->GetPointData()->SetScalars(colour_array(dots.colours));
+    data->GetPointData()->SetScalars(colour_array(dots.colours, 1));
     auto actor = actor_of(data);
     actor->GetProperty()->SetPointSize(static_cast<float>(std::max(1.0, dots.diameter)));
     actor->GetProperty()->SetRenderPointsAsSpheres(true);

@@ -4,6 +4,7 @@
 #include "io/results/read_frame.h"
 #include "scene/suggest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,17 +12,57 @@
 #include <nlohmann/json.hpp>
 
 namespace abut {
+namespace {
+
+/// VTK's files end with their root's end tag.
+void check_whole(const std::filesystem::path& path, int frame) {
+    const auto fail = [&](const char* cause) {
+        throw std::runtime_error(fmt::format("{}: cannot read: {} (frame {} of its series); nothing was drawn. "
+                                             "--frames chooses others",
+                                             path.string(), cause, frame));
+    };
+    if (!std::filesystem::is_regular_file(path)) fail("no such file");
+    std::ifstream file(path, std::ios::binary);
+    constexpr std::string_view end = "</VTKFile>";
+    std::string tail(64, ' ');
+    file.seekg(0, std::ios::end);
+    const auto size = static_cast<std::streamoff>(file.tellg());
+    file.seekg(std::max<std::streamoff>(0, size - static_cast<std::streamoff>(tail.size())));
+    file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+    if (tail.find(end) == std::string::npos) fail("the file is cut off");
+}
+
+} // namespace
 
 PointFrame SeriesSource::particles(int index, const std::vector<std::string>& wanted) const {
     return read_points(folder / series.entries[static_cast<std::size_t>(index)].file, wanted);
 }
 
-PointFrame SeriesSource::contact(int index) const {
+const PvdEntry* SeriesSource::contact_entry(int index) const {
     const double time = series.entries[static_cast<std::size_t>(index)].time;
     const double tolerance = 1e-9 * std::abs(series.entries.back().time);
     for (const PvdEntry& entry : contacts->entries)
-        if (std::abs(entry.time - time) <= tolerance) return read_points(folder / entry.file);
-    return {time, {}, {{"normal", 3, std::vector<double>{}}, {"in_contact", 1, std::vector<std::int32_t>{}}}, {}, {}};
+        if (std::abs(entry.time - time) <= tolerance) return &entry;
+    return nullptr;
+}
+
+PointFrame SeriesSource::contact(int index) const {
+    if (const PvdEntry* entry = contact_entry(index)) return read_points(folder / entry->file);
+    return {series.entries[static_cast<std::size_t>(index)].time,
+            {},
+            {{"normal", 3, std::vector<double>{}},
+             {"separation", 1, std::vector<double>{}},
+             {"in_contact", 1, std::vector<std::int32_t>{}}},
+            {},
+            {}};
+}
+
+void SeriesSource::check_files(const std::vector<int>& frames) const {
+    for (const int index : frames) {
+        check_whole(folder / series.entries[static_cast<std::size_t>(index)].file, index);
+        if (!contacts) continue;
+        if (const PvdEntry* entry = contact_entry(index)) check_whole(folder / entry->file, index);
+    }
 }
 
 std::optional<Bounds> SeriesSource::grid_bounds() const {

@@ -23,6 +23,11 @@ struct SeriesSource {
     PointFrame particles(int index, const std::vector<std::string>& wanted) const;
     /// The contact pairs at the time of particle frame `index`; empty if there is no frame at that time.
     PointFrame contact(int index) const;
+    /// Its entry in contact.pvd, or null.
+    const PvdEntry* contact_entry(int index) const;
+    /// Throws if a file of these frames, or of their contact pairs if these were asked for, is missing or cut off;
+    /// reads no more than each file's end.
+    void check_files(const std::vector<int>& frames) const;
     /// The box of the first grid file; none without grid.pvd.
     std::optional<Bounds> grid_bounds() const;
     /// The scene's title from scene.json; empty if there is none.

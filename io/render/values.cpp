@@ -1,6 +1,7 @@
 #include "io/render/values.h"
 
 #include "io/results/si_prefix.h"
+#include "results/arrays.h"
 
 #include <algorithm>
 #include <array>
@@ -12,29 +13,23 @@ namespace abut {
 namespace {
 
 struct Unit {
-    std::string_view array, quantity, unit;
+    std::string quantity, unit;
     bool prefixed; ///< whether the unit takes an SI prefix as it stands
 };
 
-constexpr std::array<Unit, 14> units{{{"velocity", "velocity", "m/s", true},
-                                      {"displacement", "displacement", "m", true},
-                                      {"stress", "stress", "Pa", true},
-                                      {"pressure", "pressure", "Pa", true},
-                                      {"von_mises_stress", "von Mises stress", "Pa", true},
-                                      {"deformation_gradient", "F", "", false},
-                                      {"mass", "mass", "kg", false},
-                                      {"volume", "volume", "m³", false},
-                                      {"temperature", "temperature", "K", false},
-                                      {"half_size", "half size", "m", true},
-                                      {"separation", "separation", "m", true},
-                                      {"area", "area", "m²", false},
-                                      {"force", "force", "N", true},
-                                      {"contact_separation", "contact separation", "m", true}}};
-
 Unit unit_of(const Array& array) {
-    for (const Unit& unit : units)
-        if (unit.array == array.name) return unit;
-    return {array.name, array.name, "", false};
+    Unit result{array.name, std::string(unit_of_array(array.name)), false};
+    if (array.name == "deformation_gradient")
+        result.quantity = "F";
+    else if (array.name == "von_mises_stress")
+        result.quantity = "von Mises stress";
+    else
+        std::replace(result.quantity.begin(), result.quantity.end(), '_', ' ');
+    constexpr std::array<std::string_view, 5> takes_prefix{"m", "m/s", "Pa", "N", "J/m^3"};
+    result.prefixed = std::count(takes_prefix.begin(), takes_prefix.end(), result.unit) > 0;
+    for (const auto& [power, sign] : {std::pair{"^2", "²"}, std::pair{"^3", "³"}})
+        if (const auto at = result.unit.find(power); at != std::string::npos) result.unit.replace(at, 2, sign);
+    return result;
 }
 
 std::string component_name(int component, int components) {
@@ -122,6 +117,22 @@ Range range_of(const std::vector<double>& values) {
         range = range ? std::pair(std::min(range->first, v), std::max(range->second, v)) : std::pair(v, v);
     }
     return range;
+}
+
+Range range_of(const std::vector<double>& values, double percentile) {
+    std::vector<double> finite;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
+    if (finite.empty()) return {};
+    const auto rank = [&](double percent) { // nearest rank
+        const auto n = static_cast<double>(finite.size());
+        const auto place =
+            static_cast<std::ptrdiff_t>(std::clamp(std::ceil(percent / 100 * n * (1 - 1e-12)), 1.0, n)) - 1;
+        std::nth_element(finite.begin(), finite.begin() + place, finite.end());
+        return finite[static_cast<std::size_t>(place)];
+    };
+    const double lowest = *std::min_element(finite.begin(), finite.end());
+    const double upper = rank(percentile);
+    return std::pair(lowest < 0 ? rank(100 - percentile) : lowest, upper);
 }
 
 Range joined(const Range& a, const Range& b) {

@@ -22,6 +22,9 @@ std::vector<double> values_of(const Array& array, int component);
 /// Smallest and largest finite value, empty if there is none.
 using Range = std::optional<std::pair<double, double>>;
 Range range_of(const std::vector<double>& values);
+/// From the smallest value, or if that is negative from the one below which 100 − `percentile` per cent are, to the one
+/// below which `percentile` per cent are.
+Range range_of(const std::vector<double>& values, double percentile);
 Range joined(const Range& a, const Range& b);
 
 /// How values become colours and how the colour bar reads.
@@ -30,6 +33,7 @@ struct ColourScale {
     std::string unit;            ///< "GPa"; "" for pure numbers and unknown units
     double lower = 0, upper = 1; ///< in the array's own unit (SI)
     ColourMap map = ColourMap::sequential;
+    bool below = false, above = false; ///< whether there are values beyond the ends, which have the ends' colours
     std::vector<std::pair<double, std::string>> ticks; ///< value in the array's unit, and its label
 
     Rgb colour(double value) const { return map_colour(map, (value - lower) / (upper - lower)); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace abut {
 namespace {
@@ -92,6 +93,34 @@ bool add_domains(Quads& quads, const PointFrame& frame, const View& view, const 
         const Pixel a = lengthened(view.direction(edges[0].data())), b = lengthened(view.direction(edges[1].data()));
         quads.add({c[0] - a[0] - b[0], c[1] - a[1] - b[1]}, {c[0] + a[0] - b[0], c[1] + a[1] - b[1]},
                   {c[0] + a[0] + b[0], c[1] + a[1] + b[1]}, {c[0] - a[0] + b[0], c[1] - a[1] + b[1]}, colours[p]);
+    }
+    return true;
+}
+
+bool add_ellipses(Quads& quads, const PointFrame& frame, const View& view, const std::vector<Rgb>& colours,
+                  const std::vector<std::size_t>& order) {
+    const std::optional<Domains> domains = Domains::of(frame);
+    if (!domains) return false;
+    std::vector<Pixel> outline;
+    for (const std::size_t p : order) {
+        const auto edges = domains->half_edges(p);
+        const Pixel c = view.pixel(domains->centre(p));
+        const Pixel a = view.direction(edges[0].data()), b = view.direction(edges[1].data());
+        // A chord of 2 pi/n leaves the circle of radius r by r (pi/n)^2/2 at most.
+        constexpr double error = 0.15;
+        const double radius = std::hypot(a[0], a[1], std::hypot(b[0], b[1])); // at least the longer semi-axis
+        const double wanted = std::ceil(std::numbers::pi / 2 * std::sqrt(radius / (2 * error)));
+        const auto half = static_cast<std::size_t>(std::fmax(3, std::fmin(60, wanted))); // 60 for what is not a number
+        outline.resize(2 * half);
+        for (std::size_t i = 0; i < half; ++i) {
+            const double angle = std::numbers::pi * static_cast<double>(i) / static_cast<double>(half);
+            const double cosine = std::cos(angle), sine = std::sin(angle);
+            const Pixel from_centre{cosine * a[0] + sine * b[0], cosine * a[1] + sine * b[1]};
+            outline[i] = {c[0] + from_centre[0], c[1] + from_centre[1]};
+            outline[i + half] = {c[0] - from_centre[0], c[1] - from_centre[1]};
+        }
+        for (std::size_t i = 0; i + 1 < half; ++i) // strips across
+            quads.add(outline[i], outline[i + 1], outline[2 * half - 2 - i], outline[2 * half - 1 - i], colours[p]);
     }
     return true;
 }

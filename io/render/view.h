@@ -40,6 +40,11 @@ double seen_aspect(const Bounds& bounds);
 bool add_domains(Quads& quads, const PointFrame& frame, const View& view, const std::vector<Rgb>& colours,
                  const std::vector<std::size_t>& order);
 
+/// Likewise, the ellipses inscribed in the domains: F times the ellipses inscribed in the undeformed rectangles; as
+/// polygons less than 0.15 pixels from them.
+bool add_ellipses(Quads& quads, const PointFrame& frame, const View& view, const std::vector<Rgb>& colours,
+                  const std::vector<std::size_t>& order);
+
 void add_dots(Dots& dots, const PointFrame& frame, const View& view, const std::vector<Rgb>& colours,
               const std::vector<std::size_t>& order);
 

@@ -41,6 +41,7 @@ OutputFile OutputFile::continued(const std::filesystem::path& path, std::uintmax
     const off_t size = ::lseek(file.descriptor_, 0, SEEK_END);
     if (size < 0 || static_cast<std::uintmax_t>(size) < bytes)
         fail(path, fmt::format("it has {} bytes instead of at least {}; has it been changed?", size, bytes));
+    file.size_ = static_cast<std::size_t>(bytes);
     const auto keep = static_cast<off_t>(bytes);
     if (::ftruncate(file.descriptor_, keep) != 0 || ::lseek(file.descriptor_, keep, SEEK_SET) != keep)
         fail(path, std::strerror(errno));
@@ -48,11 +49,12 @@ OutputFile OutputFile::continued(const std::filesystem::path& path, std::uintmax
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
-    : shown_(std::move(other.shown_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+    : shown_(std::move(other.shown_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_) {}
 
 OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
     std::swap(shown_, other.shown_);
     std::swap(descriptor_, other.descriptor_);
+    std::swap(size_, other.size_);
     return *this;
 }
 
@@ -61,12 +63,19 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::string_view bytes) {
+    const std::size_t after = size_ + bytes.size();
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail(shown_, std::strerror(errno));
+        if (written < 0) {
+            const int cause = errno;
+            // A device or a pipe can't take back what it has got; nor must it.
+            [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, static_cast<off_t>(size_));
+            fail(shown_, std::strerror(cause));
+        }
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
+    size_ = after;
 }
 
 void OutputFile::sync() {

@@ -2,6 +2,7 @@
 /// \file output_file.h
 /// Files that are written completely or reported: an unbuffered output file, and the replacement of a whole file.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -22,6 +23,7 @@ public:
     OutputFile& operator=(OutputFile&& other) noexcept;
     ~OutputFile();
 
+    /// Writes all of the bytes or none: a file on a full disk ends where the last whole write did.
     void write(std::string_view bytes);
     void sync();  ///< waits until the bytes are on the disk
     void close(); ///< reports what the destructor would swallow
@@ -30,6 +32,7 @@ private:
     OutputFile() = default;
     std::filesystem::path shown_;
     int descriptor_ = -1;
+    std::size_t size_ = 0; ///< written so far [bytes]
 };
 
 /// Replaces `path` as a whole: `write` gets the name of an empty temporary file in the same folder and fills it; the

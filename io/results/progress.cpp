@@ -1,11 +1,11 @@
 #include "io/results/progress.h"
 
+#include "io/results/bar.h"
 #include "io/results/si_prefix.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace abut {
@@ -18,22 +18,9 @@ double seconds(std::chrono::steady_clock::duration duration) {
     return std::chrono::duration<double>(duration).count();
 }
 
-/// "0:07", "12:34", "1:02:03"
-std::string format_duration(double duration) {
-    if (!std::isfinite(duration) || duration > 1e7) return "?";
-    const long total = std::lround(std::max(0.0, duration));
-    if (total >= 3600) return fmt::format("{}:{:02}:{:02}", total / 3600, total / 60 % 60, total % 60);
-    return fmt::format("{}:{:02}", total / 60, total % 60);
-}
-
 std::string format_rate(double rate) {
     const SiPrefix prefix = rate >= 1e4 ? si_prefix(rate) : SiPrefix{};
     return fmt::format("{:.{}f}{} steps/s", rate / prefix.factor, rate < 10 ? 1 : 0, prefix.symbol);
-}
-
-std::size_t columns(std::FILE* out) {
-    winsize size{};
-    return ioctl(fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
 ProgressMode resolved(ProgressMode mode, std::FILE* out) {
@@ -87,15 +74,7 @@ void Progress::draw() {
     const std::string text =
         fmt::format(" {:3} %  {}  {}  ETA {}", percent(time_, end_time_), format_time_of(time_, end_time_),
                     format_rate(step_rate_), format_duration(left));
-    // The last column stays free: some terminals wrap there.
-    const std::size_t room = columns(out_) - 1;
-    std::string line = text.substr(0, room);
-    if (room > text.size() + 12) {
-        const std::size_t width = std::min<std::size_t>(room - text.size() - 2, 40);
-        const auto done = static_cast<std::size_t>(fraction(time_, end_time_) * static_cast<double>(width));
-        line = fmt::format("[{:#<{}}{:.<{}}]{}", "", done, "", width - done, text);
-    }
-    fmt::print(out_, "\r{}\x1b[K", line);
+    fmt::print(out_, "\r{}\x1b[K", bar_line(fraction(time_, end_time_), text, columns(out_)));
     std::fflush(out_);
     line_open_ = true;
 }

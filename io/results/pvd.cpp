@@ -93,6 +93,10 @@ PvdSeries read_pvd(const std::filesystem::path& path) {
         if (!file || !element->GetScalarAttribute("timestep", entry.time))
             throw std::runtime_error(fmt::format("{}: cannot read: entry {} has no file or time", path.string(), i));
         entry.file = file;
+        const std::filesystem::path place = std::filesystem::path(file).lexically_normal();
+        if (place.is_absolute() || place.begin() == place.end() || *place.begin() == "..")
+            throw std::runtime_error(
+                fmt::format("{}: cannot read: entry {} is no file of its folder: \"{}\"", path.string(), i, file));
         series.entries.push_back(entry);
     }
     return series;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace abut {
 namespace {
@@ -16,8 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> series{"particles", "grid", "contact"};
-constexpr std::array<std::string_view, 9> single_files{"history.csv", "bodies.csv",    "pairs.csv", "timing.json",
-                                                       "scene.json",  "checkpoint.h5", "all.pvd", "checkpoint-previous.h5", "checkpoint-new.h5"};
+constexpr std::array<std::string_view, 10> single_files{"history.csv",      "bodies.csv", "pairs.csv",
+                                                        "timing.json",      "scene.json", "checkpoint.h5",
+                                                        "all.pvd",          "live.png",   "checkpoint-previous.h5",
+                                                        "checkpoint-new.h5"};
 
 /// particles_00012.vtu of "particles", or what a killed run left of writing it (.particles_00012.vtu.tmp); also the
 /// state of a run that went wrong, failed.vtu
@@ -31,6 +34,41 @@ bool is_frame(std::string name, std::string_view series_name) {
         std::find_if_not(rest.begin(), rest.end(), [](unsigned char c) { return std::isdigit(c); }) - rest.begin());
     const std::string_view extension = rest.substr(digits);
     return digits > 0 && (extension == ".vtu" || extension == ".vti" || extension == ".vtp");
+}
+
+/// Whether a text is groups of digits with "_" between, a minus before any: "00012_7_-1".
+bool is_numbers(std::string_view text) {
+    bool digit = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool starts = i == 0 || text[i - 1] == '_';
+        if (std::isdigit(static_cast<unsigned char>(text[i])))
+            digit = true;
+        else if ((text[i] == '_' && digit) || (text[i] == '-' && starts))
+            digit = false;
+        else
+            return false;
+    }
+    return digit;
+}
+
+/// cloud_00012_7_3.vtu and the like, the series of them, or what a killed run left of writing one
+/// (write_contact_clouds.h).
+bool is_cloud_file(std::string name) {
+    if (name.starts_with('.') && name.ends_with(".tmp")) name = name.substr(1, name.size() - 5);
+    for (const auto& [kind, extension] : {std::pair<std::string_view, std::string_view>{"cloud_", ".vtu"},
+                                          {"plane_", ".vtp"},
+                                          {"node_", ".csv"},
+                                          {"cloud_", ".pvd"},
+                                          {"plane_", ".pvd"}}) {
+        if (!name.starts_with(kind) || !name.ends_with(extension) || name.size() <= kind.size() + extension.size())
+            continue;
+        std::string_view rest(name);
+        rest = rest.substr(kind.size(), name.size() - kind.size() - extension.size());
+        if (extension == ".pvd" && rest == "disagreement") return true;
+        if (extension == ".pvd" && rest.starts_with("near_")) rest.remove_prefix(5);
+        if (is_numbers(rest)) return true;
+    }
+    return false;
 }
 
 std::vector<fs::path> own_files(const fs::path& folder) {
@@ -47,6 +85,10 @@ std::vector<fs::path> own_files(const fs::path& folder) {
             if (entry.is_regular_file() && is_frame(entry.path().filename().string(), name))
                 found.push_back(entry.path());
     }
+    if (fs::is_directory(folder / "clouds"))
+        for (const auto& entry : fs::directory_iterator(folder / "clouds"))
+            if (entry.is_regular_file() && is_cloud_file(entry.path().filename().string()))
+                found.push_back(entry.path());
     return found;
 }
 
@@ -66,7 +108,7 @@ void remove_own_files(const fs::path& folder, const std::vector<fs::path>& input
                                 "for the results",
                                 folder.string(), input.string()));
     for (const fs::path& file : files) fs::remove(file);
-    for (const std::string_view name : series) {
+    for (const std::string_view name : {series[0], series[1], series[2], std::string_view("clouds")}) {
         const fs::path sub = folder / name;
         if (fs::is_directory(sub) && fs::is_empty(sub)) fs::remove(sub);
     }

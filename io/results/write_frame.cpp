@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string_view>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -63,13 +65,15 @@ vtkSmartPointer<vtkDataArray> data_array(const Array& array, Reals reals) {
     return result;
 }
 
-void add_point_arrays(vtkDataSet& data, const std::vector<Array>& arrays, std::size_t points, Reals reals) {
+/// \param what the array's tuples belong to: "points" or "cells"
+void add_arrays(vtkDataSetAttributes& data, const std::vector<Array>& arrays, std::size_t count, const char* what,
+                Reals reals) {
     for (const Array& array : arrays) {
         const std::size_t length = std::visit([](const auto& values) { return values.size(); }, array.values);
-        if (array.components < 1 || length != points * static_cast<std::size_t>(array.components))
-            throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} points of {} components",
-                                                    array.name, length, points, array.components));
-        data.GetPointData()->AddArray(data_array(array, reals));
+        if (array.components < 1 || length != count * static_cast<std::size_t>(array.components))
+            throw std::invalid_argument(fmt::format("array \"{}\": {} values for {} {} of {} components", array.name,
+                                                    length, count, what, array.components));
+        data.AddArray(data_array(array, reals));
     }
 }
 
@@ -100,24 +104,44 @@ void add_globals(vtkDataSet& data, const Frame& frame) {
     if (!frame.arrays.empty()) add_words(data, units_of(frame.arrays));
 }
 
-/// One cell of one point for each point.
-vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
+/// Cells of equally many corners, by the numbers of their points.
+vtkSmartPointer<vtkCellArray> cells_of(int corners, const std::vector<std::int32_t>& corner_points) {
     vtkNew<vtkTypeInt32Array> offsets, points;
-    offsets->SetNumberOfValues(static_cast<vtkIdType>(count) + 1);
-    points->SetNumberOfValues(static_cast<vtkIdType>(count));
-    std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, 0);
-    std::iota(points->GetPointer(0), points->GetPointer(0) + count, 0);
+    const auto count = static_cast<vtkIdType>(corner_points.size()) / corners;
+    offsets->SetNumberOfValues(count + 1);
+    for (vtkIdType i = 0; i <= count; ++i) offsets->SetValue(i, static_cast<vtkTypeInt32>(i * corners));
+    points->SetNumberOfValues(static_cast<vtkIdType>(corner_points.size()));
+    std::copy(corner_points.begin(), corner_points.end(), points->GetPointer(0));
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     cells->SetData(offsets, points);
     return cells;
 }
 
-void fill(vtkPointSet& data, const PointFrame& frame, Reals reals) {
-    if (frame.points.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
+/// One cell of one point for each point.
+vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
+    std::vector<std::int32_t> points(count);
+    std::iota(points.begin(), points.end(), 0);
+    return cells_of(1, points);
+}
+
+void set_points(vtkPointSet& data, const std::vector<double>& coordinates, Reals reals) {
+    if (coordinates.size() % 3 != 0) throw std::invalid_argument("points need 3 coordinates each");
     vtkNew<vtkPoints> points;
-    points->SetData(real_array(frame.points, 3, reals));
+    points->SetData(real_array(coordinates, 3, reals));
     data.SetPoints(points);
-    add_point_arrays(data, frame.arrays, frame.points.size() / 3, reals);
+}
+
+void fill(vtkPointSet& data, const PointFrame& frame, Reals reals) {
+    set_points(data, frame.points, reals);
+    add_arrays(*data.GetPointData(), frame.arrays, frame.points.size() / 3, "points", reals);
+    add_globals(data, frame);
+}
+
+/// \param cells their number
+template <class Frame>
+void fill_cells(vtkPointSet& data, const Frame& frame, std::size_t cells) {
+    set_points(data, frame.points, Reals::float64);
+    add_arrays(*data.GetCellData(), frame.arrays, cells, "cells", Reals::float64);
     add_globals(data, frame);
 }
 
@@ -171,12 +195,44 @@ void write_contact(const std::filesystem::path& path, const PointFrame& frame, R
     write<vtkXMLPolyDataWriter>(path, *data);
 }
 
+void write_cells(const std::filesystem::path& path, const CellFrame& frame) {
+    const auto cells = cells_of(frame.corners, frame.corner_points);
+    const auto count = static_cast<std::size_t>(cells->GetNumberOfCells());
+    if (path.extension() == ".vtp") {
+        vtkNew<vtkPolyData> data;
+        frame.corners == 2 ? data->SetLines(cells) : data->SetPolys(cells);
+        fill_cells(*data, frame, count);
+        write<vtkXMLPolyDataWriter>(path, *data);
+    } else {
+        vtkNew<vtkUnstructuredGrid> data;
+        data->SetCells(frame.corners == 2 ? VTK_LINE : frame.corners == 4 ? VTK_QUAD : VTK_HEXAHEDRON, cells);
+        fill_cells(*data, frame, count);
+        write<vtkXMLUnstructuredGridWriter>(path, *data);
+    }
+}
+
+void write_surface(const std::filesystem::path& path, const SurfaceFrame& frame) {
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkCellArray> lines, polygons;
+    for (const std::vector<std::int32_t>& cell : frame.cells) {
+        const bool line = cell.size() == 2;
+        if (line && polygons->GetNumberOfCells() > 0) throw std::invalid_argument("lines come before polygons");
+        const std::vector<vtkIdType> points(cell.begin(), cell.end());
+        (line ? lines : polygons)->InsertNextCell(static_cast<vtkIdType>(points.size()), points.data());
+    }
+    data->SetLines(lines);
+    data->SetPolys(polygons);
+    fill_cells(*data, frame, frame.cells.size());
+    write<vtkXMLPolyDataWriter>(path, *data);
+}
+
 void write_grid(const std::filesystem::path& path, const GridFrame& frame, Reals reals) {
     vtkNew<vtkImageData> data;
     data->SetDimensions(frame.nodes.data());
     data->SetOrigin(frame.origin.data());
     data->SetSpacing(frame.spacing.data());
-    add_point_arrays(*data, frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()), reals);
+    add_arrays(*data->GetPointData(), frame.arrays, static_cast<std::size_t>(data->GetNumberOfPoints()), "points",
+               reals);
     add_globals(*data, frame);
     write<vtkXMLImageDataWriter>(path, *data);
 }

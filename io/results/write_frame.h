@@ -20,6 +20,14 @@ void write_particles(const std::filesystem::path& path, const PointFrame& frame,
 /// Writes contact pairs as a .vtp file, one vertex each; otherwise as write_particles.
 void write_contact(const std::filesystem::path& path, const PointFrame& frame, Reals reals = Reals::float64);
 
+/// Writes lines and polygons as a .vtp file, with arrays of cells; otherwise as write_particles. Throws
+/// std::invalid_argument also if a line comes after a polygon (VTK numbers them in that order).
+void write_surface(const std::filesystem::path& path, const SurfaceFrame& frame);
+
+/// Writes cells with cell data, as .vtu or, if the name ends so, .vtp (segments and quadrilaterals only); otherwise as
+/// write_particles.
+void write_cells(const std::filesystem::path& path, const CellFrame& frame);
+
 /// Writes the grid's nodes as a .vti file (image data with point arrays); otherwise as write_particles.
 void write_grid(const std::filesystem::path& path, const GridFrame& frame, Reals reals = Reals::float64);
 

@@ -12,18 +12,22 @@ SeriesSpec bind_series(const Json& json, const std::string& name, const char* li
     return series;
 }
 
+/// The numbers of a list; a wrong entry, which has been told of, holds its place as a text.
+Vector numbers_of(const Json& list, Vector numbers) {
+    for (std::size_t i = 0; list.is_array() && i < std::min(numbers.size(), list.size()); ++i)
+        if (list[i].is_number()) numbers[i] = list[i].get<double>();
+    return numbers;
+}
+
 ContactCloudsSpec bind_clouds(const Json& json) {
     ContactCloudsSpec clouds;
     copy_list(json, "nodes", clouds.nodes, [](const Json& entry) {
-        std::array<int, 3> node{};
-        for (std::size_t axis = 0; axis < std::min(node.size(), entry.size()); ++axis) node[axis] = entry[axis];
+        std::array<int, 3> node{}; // how many are given is checked in validate()
+        std::ranges::transform(numbers_of(entry, {-1, -1, -1}), node.begin(),
+                               [](double number) { return static_cast<int>(number); });
         return node;
     });
-    copy_list(json, "near", clouds.near, [](const Json& entry) {
-        Vector place{};
-        for (std::size_t axis = 0; axis < std::min(place.size(), entry.size()); ++axis) place[axis] = entry[axis];
-        return place;
-    });
+    copy_list(json, "near", clouds.near, [](const Json& entry) { return numbers_of(entry, {}); });
     copy(json, "disagreement", clouds.disagreement);
     return clouds;
 }

@@ -4,6 +4,7 @@
 #include "scene/suggest.h"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -34,6 +35,7 @@ std::optional<Json> integer(const Value& value) {
     const double number = value.json.is_number() ? value.json.get<double>() : 0.5;
     if (number != std::floor(number)) return value.wrong_type("a whole number");
     if (!in_range(number, value, "")) return {};
+    if (std::abs(number) > std::numeric_limits<int>::max()) return value.wrong("too large a whole number");
     return Json(static_cast<int>(number));
 }
 

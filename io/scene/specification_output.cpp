@@ -102,7 +102,8 @@ std::vector<Key> output_keys() {
          .kind = Kind::quantity,
          .dimension = dimensions::angle,
          .range = above(0),
-         .meaning = "Every contact node where the normals of two methods differ by more than this angle."},
+         .meaning = "Every contact node where the normals of two methods differ by more than this angle, among "
+                    "bodies nearer than a tenth of a cell."},
         {.path = "/output/live",
          .kind = Kind::boolean,
          .otherwise = "false",

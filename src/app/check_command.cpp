@@ -6,6 +6,7 @@
 #include "io/scene/read_scene.h"
 #include "plan/fields.h"
 #include "plan/time_step.h"
+#include "results/boundary_frame.h"
 #include "results/frames.h"
 #include "scene/input_files.h"
 #include "scene/problem.h"
@@ -124,6 +125,15 @@ void check_output(const std::filesystem::path& output, const SceneOptions& optio
     }
 }
 
+/// Refuses a further file whose name has not the extension that ParaView would need.
+void check_extra(const std::filesystem::path& file, const char* option, const char* extension,
+                 const SceneOptions& options, const Scene& scene) {
+    if (file.empty()) return;
+    if (file.extension() != extension)
+        throw UsageError(fmt::format("{} {}: the name must end in {}", option, file.string(), extension));
+    check_output(file, options, scene);
+}
+
 template <int D>
 void draw(const State<D>& state, const RenderOptions& options, const std::filesystem::path& file) {
     try {
@@ -173,14 +183,21 @@ int particles_command(const SceneOptions& options, ParticlesOptions preview) {
         if (preview.output.extension() != ".vtu")
             throw UsageError(
                 fmt::format("-o {}: the name must end in .vtu; the picture is put beside it", preview.output.string()));
+        check_extra(preview.boundaries, "--boundaries", ".vtp", options, state.scene);
+        check_extra(preview.grid, "--grid", ".vti", options, state.scene);
         const std::filesystem::path picture = std::filesystem::path(preview.output).replace_extension(".png");
         check_output(preview.output, options, state.scene);
         if (!preview.no_picture) check_output(picture, options, state.scene);
         fmt::print("{}", table_of(report, static_cast<std::size_t>(dimension(state.scene.analysis))));
         for (const std::string& note : report.notes) fmt::print("{}\n", note);
         write_particles(preview.output, particle_frame(state));
+        if (!preview.boundaries.empty()) write_surface(preview.boundaries, boundary_frame(state));
+        if (!preview.grid.empty()) write_grid(preview.grid, empty_grid_frame(state));
         if (!preview.no_picture) draw(state, preview.render, picture);
-        fmt::print("written: {}{}\n", preview.output.string(), preview.no_picture ? "" : " and " + picture.string());
+        fmt::print("written: {}", preview.output.string());
+        for (const std::filesystem::path& file : {preview.boundaries, preview.grid})
+            if (!file.empty()) fmt::print(", {}", file.string());
+        fmt::print("{}\n", preview.no_picture ? "" : " and " + picture.string());
     });
 }
 

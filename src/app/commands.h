@@ -3,6 +3,7 @@
 /// The subcommands of the program. Each returns the exit code, and throws for what it cannot do: SceneError and
 /// UsageError mean exit code 2, everything else 1.
 
+#include "io/render/plot_results.h"
 #include "io/render/render_series.h"
 
 #include <cstdint>
@@ -34,6 +35,8 @@ struct ParticlesOptions {
     std::filesystem::path output; ///< empty: NAME-particles.vtu, NAME that of the scene file
     RenderOptions render;         ///< of the picture beside it
     bool no_picture = false;
+    std::filesystem::path boundaries; ///< .vtp to write them to; empty: not written
+    std::filesystem::path grid;       ///< .vti, likewise
 };
 
 struct RunOptions {
@@ -44,6 +47,21 @@ struct RunOptions {
     bool overwrite = false;
     bool resume = false; ///< goes on from the checkpoint in `output`
     bool quiet = false;
+};
+
+struct RenderRequest {
+    std::filesystem::path results;
+    RenderOptions options; ///< its jobs 0: one for each core
+    std::string region;    ///< lengths, with units or in m, separated by commas; empty: everything
+    bool quiet = false;
+};
+
+struct ContactOptions {
+    std::filesystem::path results;   ///< result folder
+    std::optional<int> step;         ///< number of the frame, as in the names of its files; the last if not given
+    std::optional<std::string> node; ///< "I,J" or "I,J,K"
+    std::optional<std::string> near; ///< "X,Y" or "X,Y,Z", lengths as in a scene file
+    std::filesystem::path output;    ///< empty: RESULTS/clouds
 };
 
 /// What isn't given is chosen by the kind of grains.
@@ -78,7 +96,9 @@ int run_command(const RunOptions& options);
 /// \param png where to draw the bodies; empty: nowhere
 int check_command(const SceneOptions& options, const std::filesystem::path& png);
 int particles_command(const SceneOptions& options, ParticlesOptions preview);
-int render_command(const std::filesystem::path& results, const RenderOptions& options);
+int render_command(const RenderRequest& request);
+int plot_command(const std::filesystem::path& results, const PlotOptions& options);
+int contact_command(const ContactOptions& options);
 int pack_command(const PackOptions& options);
 int schema_command();
 int reference_command();

@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -24,6 +26,96 @@ void add_scene(CLI::App& command, SceneOptions& options) {
     command.add_option("--set", options.set, "PTR=VALUE: sets a value of the scene by JSON pointer; may be repeated")
         ->type_name("PTR=VALUE")
         ->allow_extra_args(false);
+}
+
+void add_render(CLI::App& program, RenderRequest& request, std::vector<double>& range, std::vector<int>& frames,
+                std::function<int()>& action) {
+    CLI::App* render = program.add_subcommand("render", "Draws a result series as PNG pictures, without a display");
+    RenderOptions& options = request.options;
+    options.jobs = 0;
+    render->add_option("DIR", request.results, "result folder")->required();
+
+    const std::string what = "What is drawn";
+    std::string presets;
+    for (const std::string& name : render_presets()) presets += (presets.empty() ? "" : ", ") + name;
+    render->add_option("--preset", options.preset, "one of " + presets)->group(what);
+    render->add_option("--array", options.array, "particle array that colours the particles")->group(what);
+    render->add_option("--component", options.component, "of the array, from 0; default its magnitude")->group(what);
+    render->add_flag("--normals", options.normals, "arrows at the contact pairs in contact")->group(what);
+    const std::map<std::string, ParticleStyle> styles{
+        {"domains", ParticleStyle::domains}, {"ellipses", ParticleStyle::ellipses}, {"dots", ParticleStyle::dots}};
+    render
+        ->add_option("--particles", options.particles,
+                     "domains (deformed parallelograms, solids in 3D; default), ellipses (2D) or dots")
+        ->transform(CLI::Transformer(styles).description(""))
+        ->type_name("STYLE")
+        ->group(what);
+    render->add_option("--bodies", options.bodies, "NAME,NAME...: only these, and their contacts")
+        ->delimiter(',')
+        ->type_name("NAMES")
+        ->group(what);
+    render
+        ->add_option("--region", request.region,
+                     "X0,Y0,X1,Y1: only this part, e.g. 0.2mm,0,0.6mm,0.4mm; in 3D X0,Y0,Z0,X1,Y1,Z1")
+        ->type_name("LENGTHS")
+        ->group(what);
+    render->add_option("--frames", frames, "numbers of the frames to draw; default all")->group(what);
+    render->add_flag("--last", options.last_only, "only the last frame")->group(what);
+
+    const std::string how = "How it looks";
+    render->add_option("--range", range, "LOW HIGH of the colours, SI units; default: all values of all frames drawn")
+        ->expected(2)
+        ->group(how);
+    render
+        ->add_option("--percentile", options.percentile,
+                     "e.g. 99: the largest 1 % of each frame's values don't widen the range of the colours; default 99 "
+                     "for presets of stress and energy, else 100")
+        ->group(how);
+    render->add_option("--width", options.width, "pixels; default 1000")->check(CLI::Range(100, 8192))->group(how);
+    render->add_option("--height", options.height, "pixels; default: as the scene needs")
+        ->check(CLI::Range(100, 8192))
+        ->group(how);
+    render
+        ->add_flag_callback(
+            "--no-legend", [&] { options.legend = false; }, "no names of bodies, no colour bar")
+        ->group(how);
+
+    const std::string where = "Where it goes";
+    render->add_option("-o,--output", options.output, "folder of the pictures; default DIR/frames/<preset>")
+        ->group(where);
+    render->add_option("--animation", options.animation, "also all pictures in one file: .ogv, or .apng or .png")
+        ->type_name("FILE")
+        ->group(where);
+    render->add_option("--fps", options.fps, "pictures a second of the animation; default 10")
+        ->check(CLI::Range(1, 100))
+        ->group(where);
+    render->add_option("--jobs", options.jobs, "processes that draw; default: one for each core")
+        ->check(CLI::Range(1, 1024))
+        ->group(where);
+    render->add_flag("--quiet", request.quiet, "no progress, no closing line")->group(where);
+    render->callback([&] {
+        if (!range.empty()) options.range = {range[0], range[1]};
+        if (!frames.empty()) options.frames = frames;
+        action = [&] { return render_command(request); };
+    });
+}
+
+void add_plot(CLI::App& command, std::filesystem::path& results, PlotOptions& options) {
+    command.add_option("DIR", results, "result folder")->required();
+    command.add_option("-o,--output", options.output, "folder of the pictures; default DIR/plots");
+    command.add_option("--columns", options.columns, "of the table, by commas; default the usual ones")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("--bodies", options.bodies, "names by commas, or all: curves of bodies.csv")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_flag("--pairs", options.pairs, "curves of pairs.csv; with --bodies only the pairs that they are in");
+    command.add_option("--against", options.against, "column of the axis across; default time");
+    command.add_option("--width", options.width, "pixels; default 1200")->check(CLI::Range(200, 8192));
+    command.add_option("--height", options.height, "pixels; default 800")->check(CLI::Range(200, 8192));
+    command.add_flag("--log-x", options.log_x, "logarithmic axis across");
+    command.add_flag("--log-y", options.log_y, "logarithmic axis upwards");
+    command.add_option("--title", options.title, "default: the scene's");
 }
 
 /// CLI11 would only say that a subcommand is missing.
@@ -69,31 +161,34 @@ int run_program(int argc, char** argv) {
                           "VTU file; default NAME-particles.vtu. The picture is beside it, with .png");
     particles->add_option("--array", preview.render.array, "particle array that colours the picture; default body");
     particles->add_option("--width", preview.render.width, "of the picture [pixels]")->check(CLI::Range(100, 8192));
+    particles->add_option("--boundaries", preview.boundaries,
+                          "VTP file, written too: walls, velocity conditions and tractions at time 0");
+    particles->add_option("--grid", preview.grid, "VTI file, written too: the grid without arrays");
     particles->add_flag("--no-png", preview.no_picture, "no picture");
     particles->callback([&] { action = [&] { return particles_command(particles_options, preview); }; });
 
-    std::filesystem::path results;
-    RenderOptions render_options;
+    RenderRequest picture;
     std::vector<double> range;
     std::vector<int> frames;
-    CLI::App* render = program.add_subcommand("render", "Draws a result series as PNG pictures, without a display");
-    render->add_option("DIR", results, "result folder")->required();
-    std::string presets;
-    for (const std::string& name : render_presets()) presets += (presets.empty() ? "" : ", ") + name;
-    render->add_option("--preset", render_options.preset, "one of " + presets);
-    render->add_option("--array", render_options.array, "particle array that colours the particles");
-    render->add_option("--component", render_options.component, "of the array; default its magnitude");
-    render->add_flag("--normals", render_options.normals, "arrows at the contact pairs in contact");
-    render->add_option("--width", render_options.width, "pixels")->check(CLI::Range(100, 8192));
-    render->add_option("--range", range, "LOW HIGH of the colours, SI units")->expected(2);
-    render->add_option("--frames", frames, "numbers of the frames to draw; default all");
-    render->add_flag("--last", render_options.last_only, "only the last frame");
-    render->add_option("-o,--output", render_options.output, "folder of the pictures; default DIR/frames/<preset>");
-    render->callback([&] {
-        if (!range.empty()) render_options.range = {range[0], range[1]};
-        if (!frames.empty()) render_options.frames = frames;
-        action = [&] { return render_command(results, render_options); };
-    });
+    add_render(program, picture, range, frames, action);
+
+    std::filesystem::path results;
+    PlotOptions plot_options;
+    CLI::App* plot = program.add_subcommand("plot", "Draws the tables of a run as curves, without a display");
+    add_plot(*plot, results, plot_options);
+    plot->callback([&] { action = [&] { return plot_command(results, plot_options); }; });
+
+    ContactOptions contact_options;
+    CLI::App* contact = program.add_subcommand("contact", "Takes a contact node of a result apart, method by method");
+    contact->add_option("DIR", contact_options.results, "result folder")->required();
+    contact->add_option("--step", contact_options.step,
+                        "number of the frame, as in particles_0000N.vtu; default the last");
+    CLI::Option* node = contact->add_option("--node", contact_options.node,
+                                            "I,J[,K]: the node, by its numbers along the axes from grid/lower");
+    contact->add_option("--near", contact_options.near, "X,Y[,Z]: the nearest contact node, e.g. 0.5mm,1mm")
+        ->excludes(node);
+    contact->add_option("-o,--output", contact_options.output, "folder of the files; default DIR/clouds");
+    contact->callback([&] { action = [&] { return contact_command(contact_options); }; });
 
     PackOptions packing;
     CLI::App* pack = program.add_subcommand("pack", "Packs random grains densely, as a bitmap or as shapes of a scene");
@@ -154,6 +249,7 @@ void wait_asleep(char** argv) {
 
 int main(int argc, char** argv) {
     abut::wait_asleep(argv);
+    std::signal(SIGXFSZ, SIG_IGN); // a file over the limit (ulimit -f) is then reported as a write that failed
     try {
         return abut::run_program(argc, argv);
     } catch (const abut::SceneError& error) {

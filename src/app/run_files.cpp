@@ -1,5 +1,6 @@
 #include "app/run_files.h"
 
+#include "io/results/write_contact_clouds.h"
 #include "io/results/write_text.h"
 #include "results/history.h"
 #include "results/interpenetration.h"
@@ -68,6 +69,13 @@ bool gets_frame(RunSeries& series, double time, Frames which) {
     return series.wanted && (which == Frames::last ? series.last_time != time : due);
 }
 
+template <int D>
+void draw_live(LivePicture& live, State<D>& state) {
+    std::optional<PointFrame> contact;
+    if (state.effects.contact && live.wants_contact()) contact = contact_frame(state);
+    live.draw(particle_frame(state), contact ? &*contact : nullptr);
+}
+
 } // namespace
 
 template <int D>
@@ -87,6 +95,11 @@ RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resol
     if (state.effects.contact && output.pairs)
         pairs_.emplace(open_table(folder / "pairs.csv",
                                   with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns()), resumed, 2));
+    live_times_ = make_series(folder, "live", output.particles, output, bodies);
+    live_times_.wanted = output.live;
+    if (output.live)
+        live_.emplace(folder / "live.png", Bounds{state.scene.grid.lower, state.scene.grid.upper}, state.scene.title,
+                      output.live_preset, state.scene.time.end);
     if (!resumed) return;
     for (std::size_t i = 0; i < series_.size(); ++i) resume(series_[i], resumed->series[i], state.time);
     last_history_ = resumed->history_last;
@@ -134,7 +147,8 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
     const bool of_particles = gets_frame(particles(), state.time, which);
     const bool of_grid = gets_frame(grid(), state.time, which);
     const bool of_contact = gets_frame(contact(), state.time, which);
-    if (!of_particles && !of_grid && !of_contact) return false;
+    const bool of_live = gets_frame(live_times_, state.time, which);
+    if (!of_particles && !of_grid && !of_contact && !of_live) return false;
     look(state);
     if (of_particles) {
         PointFrame frame = particle_frame(state, particles().choice);
@@ -146,8 +160,14 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
             }
         write_to_series(particles(), "vtu", frame, reals_, write_particles);
     }
+    if (of_live) {
+        draw_live(*live_, state);
+        live_times_.last_time = state.time;
+    }
     if (of_grid) write_to_series(grid(), "vti", grid_frame(state, grid().choice), reals_, write_grid);
     if (of_contact) write_to_series(contact(), "vtp", contact_frame(state, contact().choice), reals_, write_contact);
+    if (of_contact && state.scene.output.contact_clouds)
+        write_contact_clouds(state, folder_, contact().frames - 1); // numbered as the pairs' frame
     std::vector<PvdPart> parts;
     for (const RunSeries& series : series_)
         if (series.wanted) parts.push_back({series.name, &series.pvd});

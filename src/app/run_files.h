@@ -1,6 +1,7 @@
 #pragma once
 #include "app/schedule.h"
 #include "io/checkpoint/checkpoint.h"
+#include "io/render/live_picture.h"
 #include "io/results/csv.h"
 #include "io/results/pvd.h"
 #include "io/results/write_frame.h"
@@ -65,7 +66,9 @@ private:
     std::optional<CsvTable> pairs_; ///< scenes with contact
     std::array<RunSeries, 3> series_;
     std::optional<double> interpenetration_;
-    double last_history_ = 0; ///< time of the last row
+    std::optional<LivePicture> live_; ///< scenes that want one
+    RunSeries live_times_;            ///< when it is drawn: as the particles would be written
+    double last_history_ = 0;         ///< time of the last row
 };
 
 /// What timing.json tells beside the tasks.

@@ -69,17 +69,23 @@ void look(State<D>& state) {
 }
 
 template <int D>
-GridFrame grid_frame(const State<D>& state, const FrameChoice& choice) {
+GridFrame empty_grid_frame(const State<D>& state) {
     const Grid<D>& grid = state.grid;
     GridFrame frame;
     frame.time = state.time;
-    std::size_t n = 1;
     for (int a = 0; a < D; ++a) {
         frame.nodes[a] = grid.cells[a] + 1;
         frame.origin[a] = grid.lower()[a];
         frame.spacing[a] = grid.cell[a];
-        n *= frame.nodes[a];
     }
+    return frame;
+}
+
+template <int D>
+GridFrame grid_frame(const State<D>& state, const FrameChoice& choice) {
+    GridFrame frame = empty_grid_frame(state);
+    std::size_t n = 1;
+    for (int a = 0; a < D; ++a) n *= frame.nodes[a];
     // Place of a node in the frame; n for the margin.
     const auto place = [&](const Index<D>& node) {
         std::size_t number = 0;
@@ -164,6 +170,8 @@ PointFrame contact_frame(State<D>& state, const FrameChoice& choice) {
 
 template void look<2>(State<2>&);
 template void look<3>(State<3>&);
+template GridFrame empty_grid_frame<2>(const State<2>&);
+template GridFrame empty_grid_frame<3>(const State<3>&);
 template GridFrame grid_frame<2>(const State<2>&, const FrameChoice&);
 template GridFrame grid_frame<3>(const State<3>&, const FrameChoice&);
 template PointFrame contact_frame<2>(State<2>&, const FrameChoice&);

@@ -37,6 +37,10 @@ PointFrame particle_frame(const State<D>& state, const FrameChoice& choice = {})
 template <int D>
 GridFrame grid_frame(const State<D>& state, const FrameChoice& choice = {});
 
+/// The same nodes without any array: the grid of a scene that has not been run.
+template <int D>
+GridFrame empty_grid_frame(const State<D>& state);
+
 /// A point for each pair of bodies at a contact node, normals and separations of the present particles, forces of
 /// the last step. `area` is the node's share of the interface, ½ (g_a − g_b)·n with g the volume gradients (contact
 /// paper Eq. 11): by the divergence theorem g_i is the integral of N_i n dS over a body's surface, so the areas add up

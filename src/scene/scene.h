@@ -449,7 +449,7 @@ struct SeriesSpec {
 
 /// Contact nodes whose clouds, planes and methods side by side are written beside each contact frame.
 struct ContactCloudsSpec {
-    std::vector<std::array<int, 3>> nodes; ///< indices from the grid's lower corner
+    std::vector<std::array<int, 3>> nodes; ///< indices from the grid's lower corner; z in plane scenes: -1
     std::vector<Vector> near;              ///< the contact nodes nearest to these places [m]
     std::optional<double> disagreement;    ///< every contact node where normals of methods differ by more [rad]
 };

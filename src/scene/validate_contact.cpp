@@ -1,5 +1,7 @@
+#include "grid/effective_cell.h"
 #include "scene/validate_parts.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace abut {
@@ -53,6 +55,39 @@ void check_rigid(const RigidSpec& rigid, const Scene& scene, const std::string& 
            "a rigid ring can't turn in the plane of an axisymmetric scene", problems);
 }
 
+/// Contact nodes that the scene wants taken apart.
+void check_clouds(const Scene& scene, Problems& problems) {
+    if (!scene.output.contact_clouds) return;
+    const ContactCloudsSpec& clouds = *scene.output.contact_clouds;
+    const std::string pointer = "/output/contact_clouds";
+    if (!scene.contact) {
+        problems.push_back({pointer, "the scene has no \"contact\", so that there are no contact nodes"});
+        return;
+    }
+    const auto is_perfect = [](const LawSpec& law) { return law.type == LawType::perfect; };
+    const std::vector<PairLawSpec>& laws = scene.contact->laws;
+    demand(!is_perfect(scene.contact->law) ||
+               !std::all_of(laws.begin(), laws.end(), [&](const PairLawSpec& pair) { return is_perfect(pair.law); }),
+           pointer, "all interfaces are perfect: no normals and separations are found", problems);
+    demand(!clouds.nodes.empty() || !clouds.near.empty() || clouds.disagreement, pointer,
+           R"(names no nodes; give "nodes", "near" or "disagreement")", problems);
+    demand(scene.output.contact.write, pointer,
+           R"(is written with the frames of contact pairs, and "contact" is false)", problems);
+    const std::array<int, 3> last = cell_counts(scene.grid);
+    const bool plane = axes(scene) == 2;
+    for (std::size_t n = 0; n < clouds.nodes.size(); ++n) {
+        const std::array<int, 3>& node = clouds.nodes[n];
+        const std::string at = pointer + "/nodes/" + std::to_string(n);
+        demand((node[2] < 0) == plane, at,
+               plane ? "must have 2 numbers in a plane scene" : "must have 3 numbers in a 3d scene", problems);
+        for (std::size_t axis = 0; axis < axes(scene); ++axis)
+            demand(node[axis] <= last[axis], at + "/" + std::to_string(axis),
+                   "outside the grid, whose nodes along " + std::string(axis_names[axis]) + " are 0 to " +
+                       std::to_string(last[axis]),
+                   problems);
+    }
+}
+
 } // namespace
 
 void validate_contact(const Scene& scene, Problems& problems) {
@@ -74,6 +109,7 @@ void validate_contact(const Scene& scene, Problems& problems) {
         }
     demand(bodies == 0 || rigid < bodies, "/bodies", "all bodies are rigid; nothing is left to compute", problems);
 
+    check_clouds(scene, problems);
     if (!scene.contact) return;
     const ContactSpec& contact = *scene.contact;
     demand(contact.corrections == 1 || contact.corrections == 2, "/contact/corrections", "must be 1 or 2", problems);

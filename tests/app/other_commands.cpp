@@ -80,6 +80,30 @@ TEST(Particles, WritesTheModel) {
     EXPECT_FALSE(std::filesystem::exists(folder / "z.png"));
 }
 
+TEST(Particles, WritesBoundariesAndGridIfAsked) {
+    const Folder folder;
+    folder.write("scene.json", small_scene().dump());
+    const Outcome outcome =
+        folder.abut({"particles", "scene.json", "-o", "p.vtu", "--boundaries", "b.vtp", "--grid", "g.vti", "--no-png"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("written: p.vtu, b.vtp, g.vti"));
+    const PointFrame boundaries = read_points(folder / "b.vtp");
+    EXPECT_EQ(boundaries.points, (std::vector<double>{0, 0, 0, 0.012, 0, 0}));
+    ASSERT_EQ(boundaries.words.size(), 1U);
+    EXPECT_THAT(boundaries.words[0].values, testing::ElementsAre("floor"));
+    const GridFrame grid = read_grid(folder / "g.vti");
+    EXPECT_EQ(grid.nodes, (std::array<int, 3>{13, 13, 1}));
+    EXPECT_EQ(grid.time, 0);
+
+    const auto before = folder.content();
+    const Outcome wrong = folder.abut({"particles", "scene.json", "-o", "q.vtu", "--boundaries", "b.vtu"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("--boundaries b.vtu: the name must end in .vtp"));
+    EXPECT_EQ(folder.abut({"particles", "scene.json", "-o", "q.vtu", "--grid", "scene.json"}).exit_code, 2);
+    EXPECT_EQ(folder.content(), before);
+    EXPECT_EQ(folder.abut({"particles", "scene.json", "-o", "q.vtu", "--grid", "nowhere/g.vti"}).exit_code, 1);
+}
+
 TEST(Check, DrawsTheBodies) {
     const Folder folder;
     folder.write("scene.json", small_scene().dump());

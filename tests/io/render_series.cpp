@@ -205,6 +205,16 @@ TEST(RenderSeries, SpaceIsSeenObliquely) {
     EXPECT_TRUE(image.is_white_at_the_edges());
 }
 
+TEST(RenderSeries, AFrameNamedTwiceIsDrawnOnce) {
+    TemporaryFolder folder;
+    RenderOptions options;
+    options.frames = std::vector<int>{1, 0, 1};
+    const auto files = render_series(write_series(folder), options);
+    ASSERT_EQ(files.size(), 2u);
+    EXPECT_EQ(files[0].filename(), "frame_00001.png"); // the order asked for is that of an animation
+    EXPECT_EQ(files[1].filename(), "frame_00000.png");
+}
+
 TEST(RenderSeries, EmptyFrameGivesAPicture) {
     TemporaryFolder folder;
     const fs::path results = folder / "results";

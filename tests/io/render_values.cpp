@@ -32,6 +32,21 @@ TEST(RenderValues, RangesPassOverWhatIsNotFinite) {
     EXPECT_EQ(joined(std::pair(0.0, 1.5), std::pair(1.0, 2.0)), Range(std::pair(0.0, 2.0)));
 }
 
+TEST(RenderValues, PercentilesLeaveOutliersOut) {
+    std::vector<double> values(100);
+    for (int i = 0; i < 100; ++i) values[static_cast<std::size_t>(i)] = (i * 37) % 100 + 1; // 1 to 100, mixed
+    EXPECT_EQ(range_of(values, 99), Range(std::pair(1.0, 99.0)));
+    EXPECT_EQ(range_of(values, 100), Range(std::pair(1.0, 100.0)));
+    EXPECT_EQ(range_of(values, 90.5), Range(std::pair(1.0, 91.0))); // nearest rank
+    for (double& v : values) v -= 50;                               // both signs: from both ends
+    EXPECT_EQ(range_of(values, 95), Range(std::pair(-45.0, 45.0)));
+    values.push_back(NAN);
+    EXPECT_EQ(range_of(values, 100), Range(std::pair(-49.0, 50.0)));
+    EXPECT_EQ(range_of({7}, 99), Range(std::pair(7.0, 7.0)));
+    EXPECT_EQ(range_of({-7}, 99), Range(std::pair(-7.0, -7.0)));
+    EXPECT_EQ(range_of({}, 99), Range{});
+}
+
 TEST(RenderValues, ScalesReadWell) {
     const Array pressure{"pressure", 1, std::vector<double>{}}, velocity{"velocity", 3, std::vector<double>{}};
     const ColourScale positive = colour_scale(pressure, -1, std::pair(0.1e9, 7.3e9), false);

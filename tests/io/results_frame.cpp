@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
@@ -74,6 +75,39 @@ TEST(WriteFrame, ParticlesReadBackExactly) {
     write_particles(folder / "p.vtu", frame);
     expect_frame(*read<vtkXMLUnstructuredGridReader>(folder / "p.vtu"), frame);
     EXPECT_EQ(folder.count(), 1u); // no temporary file is left
+}
+
+TEST(WriteFrame, SurfaceReadsBackExactly) {
+    TemporaryFolder folder;
+    SurfaceFrame frame;
+    frame.time = 0.25;
+    frame.points = {0, 0, 0, 1, 0, 0, 1, 2, 0, 0.1, 2, 3};
+    frame.cells = {{0, 2}, {3, 1}, {0, 1, 2, 3}};
+    frame.arrays = {{"velocity", 3, std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}},
+                    {"boundary", 1, std::vector<std::int32_t>{5, 4, 3}}};
+    frame.words = {{"boundary_names", {"floor", "piston"}}};
+    write_surface(folder / "s.vtp", frame);
+    const auto data = read<vtkXMLPolyDataReader>(folder / "s.vtp");
+    expect_values(data->GetPoints()->GetData(), frame.points, 3, VTK_DOUBLE);
+    ASSERT_EQ(data->GetNumberOfCells(), 3);
+    for (vtkIdType cell = 0; cell < 3; ++cell) {
+        vtkNew<vtkIdList> ids;
+        data->GetCellPoints(cell, ids);
+        const auto& expected = frame.cells[static_cast<std::size_t>(cell)];
+        ASSERT_EQ(static_cast<std::size_t>(ids->GetNumberOfIds()), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(ids->GetId(static_cast<vtkIdType>(i)), expected[i]);
+    }
+    expect_values(data->GetCellData()->GetArray("velocity"), std::get<0>(frame.arrays[0].values), 3, VTK_DOUBLE);
+    expect_values(data->GetCellData()->GetArray("boundary"), std::get<1>(frame.arrays[1].values), 1, VTK_INT);
+    expect_values(data->GetFieldData()->GetArray("TimeValue"), std::vector<double>{0.25}, 1, VTK_DOUBLE);
+    EXPECT_NE(data->GetFieldData()->GetAbstractArray("boundary_names"), nullptr);
+    EXPECT_EQ(folder.count(), 1u);
+
+    std::swap(frame.cells[0], frame.cells[2]); // VTK would number the cells anew, and arrays would be mixed up
+    EXPECT_THROW(write_surface(folder / "t.vtp", frame), std::invalid_argument);
+    frame = {};
+    write_surface(folder / "e.vtp", frame);
+    EXPECT_EQ(read<vtkXMLPolyDataReader>(folder / "e.vtp")->GetNumberOfCells(), 0);
 }
 
 TEST(WriteFrame, ContactReadsBackExactly) {

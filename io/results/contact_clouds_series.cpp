@@ -1,0 +1,68 @@
+#include "io/results/pvd.h"
+#include "io/results/write_contact_clouds.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <utility>
+
+namespace abut {
+
+namespace {
+
+/// A series that the scene asks for and the node that it shows now.
+template <int D>
+struct Choice {
+    std::string series;
+    Index<D> node;
+};
+
+template <int D>
+std::vector<Choice<D>> choices_of(const State<D>& state, const ContactCloudsSpec& spec) {
+    std::vector<Choice<D>> choices;
+    for (const std::array<int, 3>& chosen : spec.nodes) {
+        Index<D> node;
+        std::copy_n(chosen.begin(), D, node.begin());
+        choices.push_back({fmt::format("{}", fmt::join(node, "_")), node});
+    }
+    for (std::size_t k = 0; k < spec.near.size(); ++k)
+        if (const auto nearest = nearest_contact_node<D>(state, to_vec<D>(spec.near[k])))
+            choices.push_back({fmt::format("near_{}", k), *nearest});
+    return choices;
+}
+
+/// Enters the files of one suffix in a series of clouds and one of planes.
+void enter(const std::filesystem::path& folder, const std::string& series, double time, const std::string& suffix) {
+    for (const auto& [kind, extension] : {std::pair{"cloud", "vtu"}, {"plane", "vtp"}}) {
+        PvdSeries pvd{folder / fmt::format("{}_{}.pvd", kind, series), {}};
+        if (std::filesystem::exists(pvd.path)) pvd = read_pvd(pvd.path);
+        pvd.append(time, fmt::format("{}_{}.{}", kind, suffix, extension));
+    }
+}
+
+} // namespace
+
+template <int D>
+void write_contact_clouds(State<D>& state, const std::filesystem::path& results, int frame) {
+    const ContactCloudsSpec& spec = *state.scene.output.contact_clouds;
+    const std::filesystem::path folder = results / "clouds";
+    const std::vector<Choice<D>> choices = choices_of(state, spec);
+    std::vector<Index<D>> nodes; // each once
+    for (const Choice<D>& choice : choices)
+        if (std::find(nodes.begin(), nodes.end(), choice.node) == nodes.end()) nodes.push_back(choice.node);
+    for (const NodeSeen<D>& node : inspect_contact<D>(state, nodes))
+        write_node_files<D>(state, {node}, folder, node_file_suffix<D>(frame, node.node));
+    for (const Choice<D>& choice : choices)
+        enter(folder, choice.series, state.time, node_file_suffix<D>(frame, choice.node));
+    if (!spec.disagreement) return;
+    nodes.clear();
+    for (const Disagreement<D>& one : nodes_in_disagreement(state, *spec.disagreement)) nodes.push_back(one.node);
+    const std::string suffix = fmt::format("{:05}", frame);
+    write_node_files<D>(state, inspect_contact<D>(state, nodes), folder, suffix);
+    enter(folder, "disagreement", state.time, suffix);
+}
+
+template void write_contact_clouds<2>(State<2>&, const std::filesystem::path&, int);
+template void write_contact_clouds<3>(State<3>&, const std::filesystem::path&, int);
+
+} // namespace abut

@@ -1,0 +1,287 @@
+/// Files of contact nodes taken apart, read back with VTK.
+
+#include "contact_clouds_support.h"
+#include "io/results/pvd.h"
+#include "io/results/write_contact_clouds.h"
+#include "io/scene/words.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <set>
+#include <sstream>
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+namespace abut::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* array_of_separation[] = {"separation_particle_edges", "separation_critical_position",
+                                               "separation_fitted_position", "separation_displacement"};
+
+template <class Reader>
+auto read(const std::filesystem::path& path) {
+    vtkNew<Reader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetErrorCode(), 0u) << path;
+    return vtkSmartPointer<std::remove_pointer_t<decltype(reader->GetOutput())>>(reader->GetOutput());
+}
+
+/// The same bits, NaN included.
+void expect_same(double a, double b) {
+    if (std::isnan(b))
+        EXPECT_TRUE(std::isnan(a));
+    else
+        EXPECT_EQ(a, b);
+}
+
+template <int D>
+void expect_vector(vtkDataSet& data, const char* name, vtkIdType cell, const Vec<D>& expected) {
+    vtkDataArray* array = data.GetCellData()->GetArray(name);
+    ASSERT_NE(array, nullptr) << name;
+    ASSERT_EQ(array->GetNumberOfComponents(), 3) << name;
+    for (int a = 0; a < 3; ++a) expect_same(array->GetComponent(cell, a), a < D ? expected[a] : 0.0);
+}
+void expect_number(vtkDataSet& data, const char* name, vtkIdType cell, double expected) {
+    vtkDataArray* array = data.GetCellData()->GetArray(name);
+    ASSERT_NE(array, nullptr) << name;
+    ASSERT_EQ(array->GetNumberOfComponents(), 1) << name;
+    expect_same(array->GetComponent(cell, 0), expected);
+}
+
+template <int D>
+void expect_key(vtkDataSet& data, vtkIdType cell, const NodeSeen<D>& node, std::size_t pair) {
+    for (int a = 0; a < 3; ++a)
+        EXPECT_EQ(data.GetCellData()->GetArray("node")->GetComponent(cell, a),
+                  a < D ? node.node[static_cast<std::size_t>(a)] : 0);
+    expect_number(data, "pair", cell, static_cast<double>(pair));
+    expect_number(data, "body_a", cell, node.points[pair].body_a);
+    expect_number(data, "body_b", cell, node.points[pair].body_b);
+}
+
+void expect_field_data(vtkDataSet& data, double time) {
+    EXPECT_EQ(data.GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0), time);
+    auto* bodies = vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray("body_names"));
+    ASSERT_NE(bodies, nullptr);
+    ASSERT_EQ(bodies->GetNumberOfValues(), 3);
+    EXPECT_EQ(bodies->GetValue(1), "right, \"b\"");
+    EXPECT_EQ(data.GetFieldData()->GetArray("step")->GetComponent(0, 0), 12);
+    auto* methods = vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray("method_names"));
+    ASSERT_NE(methods, nullptr);
+    ASSERT_EQ(methods->GetNumberOfValues(), 8);
+    for (const auto& word : normal_words) EXPECT_EQ(methods->GetValue(static_cast<int>(word.value)), word.text);
+}
+
+/// Corners of a domain by VTK's definition of the cell: x + F (±half sizes), in its parametric coordinates.
+template <int D>
+void expect_domain(vtkCell& cell, const ParticleSeen<D>& particle) {
+    const double* parameters = cell.GetParametricCoords();
+    for (int corner = 0; corner < cell.GetNumberOfPoints(); ++corner) {
+        Vec<D> arm;
+        for (int a = 0; a < D; ++a) arm[a] = (2 * parameters[3 * corner + a] - 1) * particle.half_size[a];
+        const Vec<D> x = particle.position + particle.deformation_gradient * arm;
+        double found[3];
+        cell.GetPoints()->GetPoint(corner, found);
+        for (int a = 0; a < 3; ++a) EXPECT_EQ(found[a], a < D ? x[a] : 0);
+    }
+}
+
+template <int D>
+void check_files() {
+    const TemporaryFolder folder;
+    State<D> state = pressed<D>();
+    const std::vector<NodeSeen<D>> nodes = inspect_contact<D>(state, all_nodes(state));
+    const auto files = write_node_files<D>(state, nodes, folder / "new/clouds", "00007");
+    EXPECT_THAT(files,
+                testing::ElementsAre(folder / "new/clouds/cloud_00007.vtu", folder / "new/clouds/plane_00007.vtp",
+                                     folder / "new/clouds/node_00007.csv"));
+
+    const auto cloud = read<vtkXMLUnstructuredGridReader>(files[0]);
+    const auto planes = read<vtkXMLPolyDataReader>(files[1]);
+    expect_field_data(*cloud, state.time);
+    expect_field_data(*planes, state.time);
+    vtkIdType c = 0;
+    vtkIdType q = 0;
+    std::size_t supports = 0, three = 0;
+    for (const NodeSeen<D>& node : nodes)
+        for (std::size_t pair = 0; pair < node.points.size(); ++pair) {
+            const PointSeen<D>& point = node.points[pair];
+            three += pair == 2;
+            for (const ParticleSeen<D>& particle : point.cloud) {
+                ASSERT_LT(c, cloud->GetNumberOfCells());
+                EXPECT_EQ(cloud->GetCellType(c), D == 2 ? VTK_QUAD : VTK_HEXAHEDRON);
+                expect_domain<D>(*cloud->GetCell(c), particle);
+                expect_key(*cloud, c, node, pair);
+                expect_number(*cloud, "body", c, particle.body);
+                expect_number(*cloud, "id", c, particle.id);
+                expect_number(*cloud, "distance", c, particle.distance);
+                expect_number(*cloud, "edge_distance", c, particle.edge_distance);
+                expect_number(*cloud, "support", c, particle.support);
+                expect_vector<D>(*cloud, "half_size", c, particle.half_size);
+                expect_vector<D>(*cloud, "centre", c, particle.position);
+                for (int i = 0; i < 3; ++i)
+                    for (int j = 0; j < 3; ++j)
+                        EXPECT_EQ(cloud->GetCellData()->GetArray("deformation_gradient")->GetComponent(c, 3 * i + j),
+                                  i < D && j < D ? particle.deformation_gradient(i, j) : i == j);
+                supports += particle.support;
+                ++c;
+            }
+            for (const PlaneSeen<D>& plane : point.planes) {
+                if (plane.normal.isZero(0)) continue;
+                ASSERT_LT(q, planes->GetNumberOfCells());
+                vtkCell* cell = planes->GetCell(q);
+                EXPECT_EQ(cell->GetCellType(), D == 2 ? VTK_LINE : VTK_QUAD);
+                // Every corner lies in the plane, and their middle is the node's place on it.
+                Vec<D> middle = Vec<D>::Zero();
+                for (int corner = 0; corner < cell->GetNumberOfPoints(); ++corner) {
+                    Vec<D> x;
+                    for (int a = 0; a < D; ++a) x[a] = cell->GetPoints()->GetPoint(corner)[a];
+                    EXPECT_NEAR((x - node.position).dot(plane.normal), (plane.end_a + plane.end_b) / 2, 1e-12);
+                    middle += x / static_cast<double>(cell->GetNumberOfPoints());
+                }
+                EXPECT_NEAR((middle - node.position - plane.place() * plane.normal).norm(), 0, 1e-12);
+                EXPECT_GT(cell->GetLength2(), 1) << "as wide as the cloud";
+                expect_key(*planes, q, node, pair);
+                expect_vector<D>(*planes, "normal", q, plane.normal);
+                expect_vector<D>(*planes, "fitted_normal", q, plane.fitted);
+                for (std::size_t s = 0; s < 4; ++s)
+                    expect_number(*planes, array_of_separation[s], q, plane.separation[s]);
+                expect_number(*planes, "end_a", q, plane.end_a);
+                expect_number(*planes, "end_b", q, plane.end_b);
+                expect_number(*planes, "iterations", q, plane.iterations);
+                expect_number(*planes, "angle", q, plane.angle);
+                expect_number(*planes, "method", q, static_cast<int>(plane.method));
+                expect_number(*planes, "chosen", q, plane.method == NormalMethod::logistic_regression);
+                expect_number(*planes, "lumped", q, point.lumped);
+                ++q;
+            }
+        }
+    EXPECT_EQ(c, cloud->GetNumberOfCells());
+    EXPECT_EQ(q, planes->GetNumberOfCells());
+    EXPECT_GT(supports, 10U);
+    EXPECT_GT(three, 0U) << "a node of three pairs";
+}
+
+TEST(ContactClouds, AreReadBackAsWritten) {
+    check_files<2>();
+}
+TEST(ContactClouds, AreReadBackAsWrittenInSpace) {
+    check_files<3>();
+}
+
+TEST(ContactClouds, TableHasARowForEachMethod) {
+    State<2> state = pressed<2>();
+    const std::vector<NodeSeen<2>> nodes = inspect_contact<2>(state, {all_nodes(state).at(2)});
+    std::istringstream table(node_table(state, nodes));
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line, "node_i,node_j,body_a,body_b,lumped,cloud_size,method,chosen,normal_x,normal_y,fitted_normal_x,"
+                    "fitted_normal_y,angle,iterations,end_a,end_b,separation_particle_edges,"
+                    "separation_critical_position,separation_fitted_position,separation_displacement");
+    std::size_t rows = 0;
+    while (std::getline(table, line)) {
+        const PlaneSeen<2>& plane = nodes[0].points.at(rows / 7).planes.at(rows % 7);
+        EXPECT_THAT(line, HasSubstr(std::string(text_of(normal_words, plane.method)) + (plane.chosen ? ",1," : ",0,")));
+        std::vector<double> last;
+        for (std::size_t at = line.size(), k = 0; k < 4; ++k) {
+            at = line.rfind(',', at - 1);
+            last.insert(last.begin(), std::strtod(line.c_str() + at + 1, nullptr));
+        }
+        for (std::size_t s = 0; s < 4; ++s) expect_same(last[s], plane.separation[s]);
+        ++rows;
+    }
+    EXPECT_EQ(rows, 7 * nodes[0].points.size());
+}
+
+TEST(ContactClouds, NamesWithCommasAreQuotedInTheTable) {
+    State<2> state = pressed<2>();
+    EXPECT_THAT(node_table(state, inspect_contact<2>(state, all_nodes(state))), HasSubstr(",\"right, \"\"b\"\"\","));
+}
+
+TEST(ContactClouds, NodeWithoutContactHasEmptyFilesWithAllArrays) {
+    const TemporaryFolder folder;
+    State<2> state = pressed<2>();
+    const auto files = write_node_files<2>(state, inspect_contact<2>(state, {{0, 0}}), folder.path, "00000_0_0");
+    const auto full = write_node_files<2>(state, inspect_contact<2>(state, all_nodes(state)), folder.path, "00000");
+    const auto compare = [](vtkDataSet& empty, vtkDataSet& with_cells) {
+        EXPECT_EQ(empty.GetNumberOfCells(), 0);
+        ASSERT_EQ(empty.GetCellData()->GetNumberOfArrays(), with_cells.GetCellData()->GetNumberOfArrays());
+        for (int i = 0; i < empty.GetCellData()->GetNumberOfArrays(); ++i)
+            EXPECT_STREQ(empty.GetCellData()->GetArrayName(i), with_cells.GetCellData()->GetArrayName(i));
+        EXPECT_EQ(empty.GetFieldData()->GetArray("node_position")->GetComponent(0, 1), 0);
+        EXPECT_EQ(with_cells.GetFieldData()->GetArray("node"), nullptr) << "for one node only";
+    };
+    compare(*read<vtkXMLUnstructuredGridReader>(files[0]), *read<vtkXMLUnstructuredGridReader>(full[0]));
+    compare(*read<vtkXMLPolyDataReader>(files[1]), *read<vtkXMLPolyDataReader>(full[1]));
+}
+
+TEST(ContactClouds, FullDiskLeavesNothingHalfWritten) {
+    const TemporaryFolder folder;
+    State<2> state = pressed<2>();
+    const std::vector<NodeSeen<2>> nodes = inspect_contact<2>(state, all_nodes(state));
+    const DiskLimit limit(1000);
+    EXPECT_THAT(error_of([&] { write_node_files<2>(state, nodes, folder.path, "00000"); }),
+                HasSubstr("cloud_00000.vtu: cannot write"));
+    EXPECT_EQ(folder.count(), 0U);
+}
+
+TEST(ContactClouds, SeriesOfARunListWhatWasWritten) {
+    const TemporaryFolder folder;
+    State<2> state = pressed<2>();
+    const std::vector<Index<2>> nodes = all_nodes(state);
+    ContactCloudsSpec& spec = state.scene.output.contact_clouds.emplace();
+    spec.nodes = {{nodes[3][0], nodes[3][1], -1}, {0, 0, -1}};
+    spec.near = {{2.9, 4.4, 0}, {7, 7, 0}};
+    spec.disagreement = 0.02;
+    const auto first_near = *nearest_contact_node<2>(state, {2.9, 4.4});
+    const double first_time = state.time;
+    write_contact_clouds(state, folder.path, 4);
+    auto tasks = step_tasks<2>(state.scene);
+    for (int step = 0; step < 3; ++step) {
+        state.dt = next_step(state, 100);
+        advance(state, tasks);
+    }
+    look(state);
+    write_contact_clouds(state, folder.path, 5);
+    write_contact_clouds(state, folder.path, 5); // a resumed run comes by again
+    const auto suffix = [](const Index<2>& node) { return node_file_suffix<2>(4, node); };
+    EXPECT_EQ(suffix({-1, 12}), "00004_-1_12");
+    const auto check = [&](const std::string& name, const std::string& first) {
+        const PvdSeries series = read_pvd(folder / ("clouds/" + name + ".pvd"));
+        ASSERT_EQ(series.entries.size(), 2U) << name;
+        EXPECT_EQ(series.entries[0].time, first_time);
+        EXPECT_EQ(series.entries[1].time, state.time);
+        EXPECT_EQ(series.entries[0].file, first);
+        for (const PvdEntry& entry : series.entries)
+            EXPECT_TRUE(std::filesystem::is_regular_file(folder / ("clouds/" + entry.file))) << entry.file;
+    };
+    check("cloud_" + suffix(nodes[3]).substr(6), "cloud_" + suffix(nodes[3]) + ".vtu");
+    check("plane_0_0", "plane_00004_0_0.vtp");
+    check("cloud_near_0", "cloud_" + suffix(first_near) + ".vtu");
+    check("plane_near_1", "plane_" + suffix(*nearest_contact_node<2>(state, {7, 7})) + ".vtp");
+    check("cloud_disagreement", "cloud_00004.vtu");
+    check("plane_disagreement", "plane_00004.vtp");
+    const auto all = read<vtkXMLPolyDataReader>(folder / "clouds/plane_00005.vtp");
+    std::set<std::array<double, 2>> written;
+    vtkDataArray* node = all->GetCellData()->GetArray("node");
+    for (vtkIdType i = 0; i < all->GetNumberOfCells(); ++i)
+        written.insert({node->GetComponent(i, 0), node->GetComponent(i, 1)});
+    std::set<std::array<double, 2>> expected;
+    for (const Disagreement<2>& one : nodes_in_disagreement(state, 0.02))
+        expected.insert({double(one.node[0]), double(one.node[1])});
+    EXPECT_EQ(written, expected);
+    EXPECT_FALSE(written.empty());
+}
+
+} // namespace
+} // namespace abut::test
