@@ -44,6 +44,7 @@ struct RunOptions {
     std::filesystem::path output;     ///< empty: NAME-results, NAME that of the scene file
     int threads = 0;                  ///< 0: all cores
     std::optional<std::string> until; ///< a time, as in a scene file
+    std::optional<long> steps;        ///< of the whole run, at most
     bool overwrite = false;
     bool resume = false; ///< goes on from the checkpoint in `output`
     bool quiet = false;

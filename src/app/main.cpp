@@ -143,6 +143,8 @@ int run_program(int argc, char** argv) {
     CLI::Option* overwrite =
         run->add_flag("--overwrite", run_options.overwrite, "replace the results of an earlier run");
     run->add_flag("--resume", run_options.resume, "go on from the checkpoint of an earlier run")->excludes(overwrite);
+    run->add_option("--steps", run_options.steps, "stop after so many steps, those before --resume included")
+        ->check(CLI::PositiveNumber);
     run->add_flag("--quiet", run_options.quiet, "no progress");
     run->callback([&] { action = [&] { return run_command(run_options); }; });
 

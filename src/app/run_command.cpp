@@ -154,7 +154,8 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     bool history_written = true;
     bool cut_short = false;
     try {
-        while (state.time < end && !interrupted) {
+        const long most_steps = options.steps.value_or(std::numeric_limits<long>::max());
+        while (state.time < end && state.step < most_steps && !interrupted) {
             const double full_step = next_step(state, std::numeric_limits<double>::infinity());
             state.dt = std::min(full_step, end - state.time);
             // A run that is resumed to a later end goes on from before a last step that was cut short for this end, as

@@ -42,7 +42,7 @@ TEST_F(Results, AreTheFilesOfTheContract) {
     EXPECT_EQ(outcome().exit_code, 0) << outcome().err;
     std::set<std::string> expected{"scene.json", "scene-results"};
     for (const char* name : {"particles", "particles.pvd", "grid", "grid.pvd", "contact", "contact.pvd", "history.csv",
-                             "bodies.csv", "pairs.csv", "timing.json", "scene.json", "all.pvd"})
+                             "bodies.csv", "pairs.csv", "timing.json", "scene.json", "all.pvd", "checkpoint.h5"})
         expected.insert(std::string("scene-results/") + name);
     for (int frame = 0; frame < 5; ++frame)
         for (const std::string file :
