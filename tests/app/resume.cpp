@@ -1,7 +1,7 @@
 /// Runs that go on after an end, a signal or a kill give what an uninterrupted run gives, bit for bit.
 #include "app_support.h"
 
-#include "geometry/images/write_image.h"
+#include "geometry/images/image.h"
 
 #include <csignal>
 
