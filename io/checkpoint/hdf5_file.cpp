@@ -70,7 +70,9 @@ void Hdf5Writer::write(const std::string& name, std::int64_t type, const void* v
     const Handle space = space_of(shape);
     const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
     H5Pset_create_intermediate_group(links, 1);
-    const Handle data(H5Dcreate2(file_, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(creation, false); // the same state gives the same bytes
+    const Handle data(H5Dcreate2(file_, name.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose);
     if (!data.good() || (count(shape) > 0 && H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
         fail(shown_, fmt::format("cannot write: {}", errno != 0 ? std::strerror(errno) : "HDF5 refuses " + name));
 }

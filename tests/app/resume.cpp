@@ -18,12 +18,12 @@ using testing::HasSubstr;
 
 const std::filesystem::path source = ABUT_SOURCE_DIR;
 
-/// All result files with their bytes, but those that tell of the run and not of its results.
+/// All result files with their bytes, the checkpoint too, but those that tell of the run and not of its results.
 std::map<std::string, std::string> results_in(const Folder& folder, const std::string& results) {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / results)) {
         const std::string name = std::filesystem::relative(entry.path(), folder / results).string();
-        if (entry.is_regular_file() && name != "timing.json" && !name.starts_with("checkpoint"))
+        if (entry.is_regular_file() && name != "timing.json" && name != "checkpoint-previous.h5")
             files[name] = folder.read(results + "/" + name);
     }
     return files;
