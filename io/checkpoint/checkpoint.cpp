@@ -2,6 +2,7 @@
 
 #include "io/checkpoint/hdf5_file.h"
 #include "io/results/output_file.h"
+#include "step/good_state.h"
 #include "step/tasks.h"
 
 #include <fmt/format.h>
@@ -144,6 +145,7 @@ Tiling<D> load_tiling(const Hdf5Reader& file, const Particles<D>& particles, con
             if (particles.body[static_cast<std::size_t>(p)] != row[1])
                 fail(file, "tiles", fmt::format("row {} holds a particle of another body", t));
         Tile<D> tile;
+        tile.window = Window<D>::empty(); // not to be taken for the one that the present slots are for
         tile.block = static_cast<int>(row[0]);
         tile.body = static_cast<std::int32_t>(row[1]);
         tile.field = contact ? tile.body : 0;
@@ -292,6 +294,10 @@ void write_checkpoint(const std::filesystem::path& path, const State<D>& state, 
         save_particles(file, state.particles);
         save_tiling(file, state.tiling);
         save_totals(file, state);
+        const EnergyWatch& watch = state.energy_watch;
+        file.reals("energy_watch",
+                   std::vector{watch.initial, watch.given, watch.lowest, watch.external_work, watch.contact_work}, {5});
+        file.integers("step_reductions", std::vector<std::int64_t>{state.step_reductions}, {1});
         save_output(file, output);
         file.close();
     });
@@ -327,6 +333,9 @@ OutputProgress read_checkpoint(const std::filesystem::path& path, State<D>& stat
     Particles<D> particles = load_particles(file, state.particles, state.grid);
     Tiling<D> tiling = load_tiling(file, particles, state.grid, state.effects.contact);
     SavedTotals totals = load_totals(file, state);
+    const auto watch = load<double>(file, "energy_watch", 5);
+    if (!(watch[1] >= 0)) fail(file, "energy_watch", "a sum without signs is negative");
+    const auto reductions = load_numbers(file, "step_reductions", {1}, 0, most_step_reductions + 1)[0];
     const OutputProgress output = load_output(file);
 
     state.particles = std::move(particles);
@@ -341,6 +350,8 @@ OutputProgress read_checkpoint(const std::filesystem::path& path, State<D>& stat
     state.since_transfer = clock[3];
     state.transfers = transfers;
     state.step = static_cast<long>(step);
+    state.step_reductions = static_cast<int>(reductions);
+    state.energy_watch = {watch[0], watch[1], watch[2], watch[3], watch[4]};
     find_traction_particles(state);
     return output;
 }

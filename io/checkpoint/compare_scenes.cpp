@@ -12,9 +12,11 @@ namespace abut {
 namespace {
 
 bool may_change(std::string_view pointer) {
-    constexpr std::array<std::string_view, 4> free{"/time/end", "/title", "/abut_version", "/$schema"};
+    constexpr std::array<std::string_view, 5> free{"/time/end", "/time/on_trouble", "/title", "/abut_version",
+                                                   "/$schema"};
     if (pointer == "/output/pairs") return false;
-    return pointer.starts_with("/output/") || std::find(free.begin(), free.end(), pointer) != free.end();
+    return pointer.starts_with("/output/") || pointer.starts_with("/time/limits") ||
+           std::find(free.begin(), free.end(), pointer) != free.end();
 }
 
 std::string shortened(const nlohmann::json& value) {

@@ -91,6 +91,13 @@ void Progress::note(std::string_view text) {
         std::fflush(out_);
 }
 
+void Progress::warn(std::string_view text) {
+    if (line_open_) std::fputs("\r\x1b[K", out_);
+    fmt::print(out_, "{}\n", text);
+    std::fflush(out_);
+    line_open_ = false;
+}
+
 void Progress::finish() {
     if (finished_) return;
     finished_ = true;

@@ -30,6 +30,7 @@ public:
 
     void update(std::int64_t step, double time); ///< call at each step: redraws ten times a second, else costs a clock
     void note(std::string_view text);            ///< a line of its own, with the percentage, time and step before it
+    void warn(std::string_view text);            ///< a line of its own, also if quiet
     void finish();                               ///< the bar as it ends, and steps, wall time and speed in one line
 
 private:

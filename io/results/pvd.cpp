@@ -59,6 +59,10 @@ private:
 void PvdSeries::append(double time, const std::string& file) {
     while (!entries.empty() && entries.back().time >= time) entries.pop_back();
     entries.push_back({time, file});
+    write();
+}
+
+void PvdSeries::write() const {
     Collection collection;
     for (const PvdEntry& entry : entries) collection.add(entry.time, "", 0, entry.file);
     collection.write(path);

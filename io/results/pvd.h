@@ -21,6 +21,7 @@ struct PvdSeries {
     /// Adds a frame and rewrites the file at once, so that it can be opened at any moment. Entries at this time or
     /// later are replaced: a resumed run continues the series without duplicates. Throws as write_text_atomically.
     void append(double time, const std::string& file);
+    void write() const; ///< rewrites the file as the entries are
 };
 
 /// One of the series in a .pvd file of several parts.

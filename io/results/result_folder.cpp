@@ -23,10 +23,10 @@ constexpr std::array<std::string_view, 10> single_files{"history.csv",      "bod
                                                         "checkpoint-new.h5"};
 
 /// particles_00012.vtu of "particles", or what a killed run left of writing it (.particles_00012.vtu.tmp); also the
-/// state of a run that went wrong, failed.vtu
+/// states that a run which went wrong leaves, failed.vtu and last_good.vtu
 bool is_frame(std::string name, std::string_view series_name) {
     if (name.starts_with('.') && name.ends_with(".tmp")) name = name.substr(1, name.size() - 5);
-    if (name == "failed.vtu") return true;
+    if (name == "failed.vtu" || name == "last_good.vtu") return true;
     if (!name.starts_with(series_name) || name.size() <= series_name.size() || name[series_name.size()] != '_')
         return false;
     const std::string_view rest = std::string_view(name).substr(series_name.size() + 1);

@@ -125,6 +125,10 @@ Scene bind_scene(const Json& checked, std::vector<Problem>& problems) {
     copy(time, "end", scene.time.end);
     copy(time, "cfl", scene.time.cfl);
     copy(time, "step", scene.time.step);
+    copy_word(time, "on_trouble", on_trouble_words, scene.time.on_trouble);
+    const Json& limits = part(time, "limits");
+    copy(limits, "speed", scene.time.limits.speed);
+    copy(limits, "energy_growth", scene.time.limits.energy_growth);
     scene.method = bind_method(part(checked, "method"));
     for (const auto& [name, material] : part(checked, "materials").items())
         scene.materials.push_back(bind_material(name, material, problems));

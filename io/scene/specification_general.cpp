@@ -64,6 +64,31 @@ std::vector<Key> general_keys() {
          .dimension = dimensions::time,
          .range = above(0),
          .meaning = "Fixed time step, instead of `cfl`."},
+        {.path = "/time/on_trouble",
+         .kind = Kind::word,
+         .words = texts(on_trouble_words),
+         .otherwise = quoted("stop"),
+         .meaning = "What happens when the run goes wrong (a particle turned inside out, out of the grid or past "
+                    "`limits`, a fixed step above the stable one): `stop`: it ends with a diagnosis; `shrink-step`: it "
+                    "goes back to a good state of 100 to 200 steps before and on from there with half the time step, "
+                    "at most 5 times. May change on `--resume`."},
+        {.path = "/time/limits",
+         .kind = Kind::object,
+         .otherwise = "{}",
+         .meaning = "What no sound run passes; one that does has gone wrong. May change on `--resume`."},
+        {.path = "/time/limits/speed",
+         .kind = Kind::quantity,
+         .dimension = dimensions::velocity,
+         .range = above(0),
+         .meaning = "Speed of a particle. Not given: ten times the largest wave speed of the scene at its start, or "
+                    "ten times what bodies, walls, velocity conditions and gravity bring into it, if that is more."},
+        {.path = "/time/limits/energy_growth",
+         .kind = Kind::number,
+         .otherwise = "1",
+         .range = above(0),
+         .meaning = "Energy that has appeared out of nothing, as a fraction of all that the scene was given: its "
+                    "energy at the start and the work of boundaries, gravity and contact. Looked at when a row of "
+                    "`history.csv` is written."},
 
         {.path = "/method", .kind = Kind::object, .otherwise = "{}", .meaning = "The numerical method."},
         {.path = "/method/shape",

@@ -42,6 +42,8 @@ inline constexpr std::array stress_update_words{Word{"usf", StressUpdate::usf}, 
 inline constexpr std::array velocity_conditions_words{Word{"combined", VelocityConditions::combined},
                                                       Word{"velocity", VelocityConditions::velocity},
                                                       Word{"lumped", VelocityConditions::lumped}};
+inline constexpr std::array on_trouble_words{Word{"stop", OnTrouble::stop},
+                                             Word{"shrink-step", OnTrouble::shrink_step}};
 inline constexpr std::array model_words{Word{"neo-hookean", MaterialModel::neo_hookean},
                                         Word{"neo-hookean-isochoric", MaterialModel::neo_hookean_isochoric},
                                         Word{"linear-elastic", MaterialModel::linear_elastic}};

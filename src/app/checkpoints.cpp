@@ -15,6 +15,10 @@ namespace {
 
 const char* const file_name = "checkpoint.h5";
 
+std::string described(const std::filesystem::path& file, std::int64_t step, double time) {
+    return fmt::format("{} (step {}, {:g} s)", file.string(), step, time);
+}
+
 } // namespace
 
 Checkpoints::Checkpoints(const std::filesystem::path& folder, std::string resolved_scene, std::uint64_t checksum,
@@ -38,6 +42,17 @@ void Checkpoints::write(const State<D>& state, const OutputProgress& output) {
     last_step_ = state.step;
     last_time_ = state.time;
     last_wall_ = Clock::now();
+    last_ = described(file_, state.step, state.time);
+}
+
+template <int D>
+void Checkpoints::go_back(const State<D>& state) {
+    last_step_ = -1;
+    last_time_ = state.time;
+}
+
+void Checkpoints::found(const Resumption& from) {
+    last_ = described(from.file, from.head.step, from.head.time);
 }
 
 Resumption find_checkpoint(const std::filesystem::path& folder, const std::string& resolved_scene,
@@ -59,7 +74,8 @@ Resumption find_checkpoint(const std::filesystem::path& folder, const std::strin
                                          : problem);
     const std::vector<std::string> changes = forbidden_changes(found.head.resolved_scene, resolved_scene);
     if (!changes.empty())
-        throw UsageError(fmt::format("{}: the scene has changed since, and only `time/end` and `output` may:\n  {}",
+        throw UsageError(fmt::format("{}: the scene has changed since, and only `time/end`, `time/on_trouble`, "
+                                     "`time/limits` and `output` may:\n  {}",
                                      found.file.string(), fmt::join(changes, "\n  ")));
     if (found.head.checksum != checksum)
         throw UsageError(fmt::format("{}: the scene gives other particles than then; has an image or another file that "
@@ -70,6 +86,8 @@ Resumption find_checkpoint(const std::filesystem::path& folder, const std::strin
 
 template bool Checkpoints::due<2>(const State<2>&);
 template bool Checkpoints::due<3>(const State<3>&);
+template void Checkpoints::go_back<2>(const State<2>&);
+template void Checkpoints::go_back<3>(const State<3>&);
 template void Checkpoints::write<2>(const State<2>&, const OutputProgress&);
 template void Checkpoints::write<3>(const State<3>&, const OutputProgress&);
 

@@ -7,6 +7,12 @@
 
 namespace abut {
 
+/// What a run is resumed from.
+struct Resumption {
+    std::filesystem::path file;
+    CheckpointHead head;
+};
+
 /// The checkpoints of a run under way.
 class Checkpoints {
 public:
@@ -20,6 +26,13 @@ public:
     /// Writes one, unless the scene wants none or the last is of the same step.
     template <int D>
     void write(const State<D>& state, const OutputProgress& output);
+    /// Where the run stands again after it has gone back in time: at a state of which another one may be written.
+    template <int D>
+    void go_back(const State<D>& state);
+    /// A run that is resumed has one.
+    void found(const Resumption& from);
+    /// "results/checkpoint.h5 (step 200, 2.1e-06 s)", the last one written; empty if there is none.
+    const std::string& last() const { return last_; }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -33,13 +46,8 @@ private:
     double every_wall_; ///< [s]
     double last_time_ = 0;
     long last_step_ = -1;
+    std::string last_; ///< described
     Clock::time_point last_wall_ = Clock::now();
-};
-
-/// What a run is resumed from.
-struct Resumption {
-    std::filesystem::path file;
-    CheckpointHead head;
 };
 
 /// The newest checkpoint of a result folder that can be read, for a scene and a model that are the same as then.

@@ -1,7 +1,9 @@
 #include "app/checkpoints.h"
 #include "app/commands.h"
+#include "app/good_states.h"
 #include "app/run_files.h"
 #include "app/schedule.h"
+#include "app/trouble.h"
 #include "geometry/build_model.h"
 #include "io/results/progress.h"
 #include "io/results/result_folder.h"
@@ -9,7 +11,7 @@
 #include "io/scene/read_scene.h"
 #include "io/scene/units.h"
 #include "scene/input_files.h"
-#include "step/run_error.h"
+#include "step/watch.h"
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -67,9 +69,7 @@ void make_ready(const std::filesystem::path& folder, const RunOptions& options, 
 
 /// Brings a new state to where an earlier run's checkpoint was.
 template <int D>
-OutputProgress resume_state(const std::filesystem::path& folder, const std::string& resolved_scene,
-                            std::uint64_t checksum, State<D>& state) {
-    const Resumption from = find_checkpoint(folder, resolved_scene, checksum);
+OutputProgress resume_state(const Resumption& from, State<D>& state) {
     try {
         return read_checkpoint(from.file, state);
     } catch (const std::runtime_error& error) {
@@ -79,11 +79,14 @@ OutputProgress resume_state(const std::filesystem::path& folder, const std::stri
 
 /// Files of a new run, or those of the run that is resumed: if they don't fit, that is a mistake on the command line.
 template <int D>
-RunFiles open_files(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state,
-                    const std::optional<OutputProgress>& resumed) {
-    if (!resumed) return {folder, resolved_scene, state};
+void open_files(std::optional<RunFiles>& files, const std::filesystem::path& folder, const std::string& resolved_scene,
+                State<D>& state, const std::optional<OutputProgress>& resumed) {
+    if (!resumed) {
+        files.emplace(folder, resolved_scene, state);
+        return;
+    }
     try {
-        return {folder, resolved_scene, state, &*resumed};
+        files.emplace(folder, resolved_scene, state, &*resumed);
     } catch (const std::runtime_error& error) {
         throw UsageError(error.what());
     }
@@ -102,17 +105,22 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     State<D> state = make_state<D>(loaded.scene, model);
     check_start(state, options.scene.scene);
     const std::uint64_t checksum = model_checksum(model);
+    Checkpoints checkpoints(folder, loaded.resolved, checksum, loaded.scene.output);
     std::optional<OutputProgress> resumed;
-    if (options.resume)
-        resumed = resume_state(folder, loaded.resolved, checksum, state);
-    else
+    if (options.resume) {
+        const Resumption from = find_checkpoint(folder, loaded.resolved, checksum);
+        resumed = resume_state(from, state);
+        checkpoints.found(from);
+    } else {
         make_ready(folder, options, loaded.scene);
+    }
 
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
     std::vector<Task<D>> tasks = step_tasks<D>(loaded.scene);
-    RunFiles files = open_files(folder, loaded.resolved, state, resumed);
-    Checkpoints checkpoints(folder, loaded.resolved, checksum, loaded.scene.output);
+    std::optional<RunFiles> files;
+    open_files(files, folder, loaded.resolved, state, resumed);
+    GoodStates<D> good(loaded.scene.time.on_trouble == OnTrouble::shrink_step);
     Progress progress(options.quiet ? ProgressMode::quiet : ProgressMode::automatic, end);
     RunTiming timing;
     timing.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
@@ -122,22 +130,29 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     if (resumed) history.resume(state.time, resumed->history_every, resumed->history_next);
     const auto write_frames = [&](Frames which) {
         const auto writing = std::chrono::steady_clock::now();
-        if (!files.write_frames(state, which)) return;
+        if (!files->write_frames(state, which)) return;
         timing.output_seconds += seconds_since(writing);
-        const std::optional<double> overlap = files.interpenetration();
+        const std::optional<double> overlap = files->interpenetration();
         progress.note(overlap ? fmt::format("interpenetration {:.2e} of the area", *overlap) : "");
     };
     const auto write_history = [&] {
         const auto writing = std::chrono::steady_clock::now();
-        files.write_history(state);
+        const Totals all = files->write_history(state);
         timing.output_seconds += seconds_since(writing);
+        return all;
+    };
+    const auto output_progress = [&] {
+        OutputProgress output = files->progress();
+        output.history_every = history.every();
+        output.history_next = history.next();
+        return output;
     };
     const auto write_checkpoint = [&] {
         const auto writing = std::chrono::steady_clock::now();
-        OutputProgress output = files.progress();
-        output.history_every = history.every();
-        output.history_next = history.next();
-        checkpoints.write(state, output);
+        if (good.empty())
+            checkpoints.write(state, output_progress());
+        else
+            checkpoints.write(good.oldest().state, good.oldest().output);
         timing.output_seconds += seconds_since(writing);
     };
     const auto finish = [&] {
@@ -148,13 +163,15 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
 
     if (!resumed) {
         write_frames(Frames::last);
-        write_history();
+        const Totals all = write_history();
+        watch_energy(state, all.kinetic_energy + all.strain_energy, all.mass);
     }
     bool history_written = true;
     bool cut_short = false;
-    try {
+    const auto run_to_end = [&] {
         const long most_steps = options.steps.value_or(std::numeric_limits<long>::max());
         while (state.time < end && state.step < most_steps && !interrupted) {
+            if (good.due(state)) good.keep(state, output_progress());
             const double full_step = next_step(state, std::numeric_limits<double>::infinity());
             state.dt = std::min(full_step, end - state.time);
             // A run that is resumed to a later end goes on from before a last step that was cut short for this end, as
@@ -164,9 +181,11 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
             const auto step_start = std::chrono::steady_clock::now();
             if (state.time + state.dt == state.time) {
                 if (end - state.time <= 1e-12 * end) break; // what is left of the run is round-off
-                throw RunError(fmt::format("step {}, time {:g} s: the time step has shrunk to {:g} s, which no longer "
-                                           "advances the time; the run has diverged",
-                                           state.step, state.time, state.dt));
+                throw RunError(Trouble::step_vanished,
+                               describe_failure(state, stiffest_particle(state),
+                                                fmt::format("the time step has shrunk to {:g} s, which no longer "
+                                                            "advances the time; waves are fastest here, {:g} m/s",
+                                                            state.dt, state.largest_wave_speed)));
             }
             const double after = state.time + state.dt;
             state.wants_areas = state.effects.pairs && (history.is_due(after) || after >= end);
@@ -174,15 +193,51 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
             timing.solver_seconds += seconds_since(step_start);
             progress.update(state.step, state.time);
             history_written = history.due(state.time);
-            if (history_written) write_history();
+            if (history_written) {
+                const Totals all = write_history();
+                watch_energy(state, all.kinetic_energy + all.strain_energy, all.mass);
+            }
             write_frames(Frames::due);
         }
-    } catch (const RunError&) {
-        files.write_failed(state);
-        finish();
-        throw;
+    };
+    const auto can_go_back = [&](const RunError& error) {
+        return !good.empty() && depends_on_step(error.trouble()) && state.step_reductions < most_step_reductions;
+    };
+    const auto go_back_and_halve_step = [&](const RunError& error) {
+        const auto& [from, output] = good.oldest();
+        progress.warn(fmt::format("abut: {}\n  going back to step {}, time {:g} s, and on with half the time step "
+                                  "(reduction {} of at most {})",
+                                  error.what(), from.step, from.time, from.step_reductions + 1, most_step_reductions));
+        timing.abandoned_steps += state.step - from.step;
+        good.drop_newer();
+        ++good.oldest().state.step_reductions;
+        go_back(from, state);
+        files.emplace(folder, loaded.resolved, state, &output);
+        history.resume(state.time, output.history_every, output.history_next);
+        history_written = true;
+        checkpoints.go_back(from);
+        write_checkpoint();
+    };
+    for (;;) {
+        try {
+            run_to_end();
+            break;
+        } catch (const RunError& error) {
+            if (can_go_back(error)) {
+                go_back_and_halve_step(error);
+                continue;
+            }
+            std::string timing_left; // a disk that is full as well must not hide the diagnosis
+            try {
+                finish();
+            } catch (const std::exception& cause) {
+                timing_left = cause.what();
+            }
+            report_trouble(error, state, *files, good, checkpoints.last(), timing_left);
+        }
     }
-    if (!cut_short) write_checkpoint(); // before the rows and frames that only this end of the run calls for
+    // Before the rows and frames that only this end of the run calls for.
+    if (!cut_short || !good.empty()) write_checkpoint();
     if (!history_written) write_history();
     write_frames(Frames::last);
     progress.finish();

@@ -2,7 +2,6 @@
 
 #include "io/results/write_contact_clouds.h"
 #include "io/results/write_text.h"
-#include "results/history.h"
 #include "results/interpenetration.h"
 
 #include <fmt/format.h>
@@ -59,6 +58,7 @@ void resume(RunSeries& series, const SeriesProgress& progress, double time) {
         std::filesystem::remove(series.pvd.path.parent_path() / series.pvd.entries.back().file);
         series.pvd.entries.pop_back();
     }
+    series.pvd.write();
     series.frames = static_cast<int>(progress.frames);
     series.last_time = progress.last_time;
 }
@@ -67,6 +67,10 @@ void resume(RunSeries& series, const SeriesProgress& progress, double time) {
 bool gets_frame(RunSeries& series, double time, Frames which) {
     const bool due = series.schedule.due(time);
     return series.wanted && (which == Frames::last ? series.last_time != time : due);
+}
+
+std::filesystem::path apart(const std::filesystem::path& folder, const std::string& name) {
+    return folder / "particles" / (name + ".vtu");
 }
 
 template <int D>
@@ -103,6 +107,15 @@ RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resol
     if (!resumed) return;
     for (std::size_t i = 0; i < series_.size(); ++i) resume(series_[i], resumed->series[i], state.time);
     last_history_ = resumed->history_last;
+    write_all_pvd();
+    for (const char* name : {"failed", "last_good"}) std::filesystem::remove(apart(folder, name));
+}
+
+void RunFiles::write_all_pvd() const {
+    std::vector<PvdPart> parts;
+    for (const RunSeries& series : series_)
+        if (series.wanted) parts.push_back({series.name, &series.pvd});
+    write_parts(folder_ / "all.pvd", parts);
 }
 
 OutputProgress RunFiles::progress() const {
@@ -117,10 +130,11 @@ OutputProgress RunFiles::progress() const {
 }
 
 template <int D>
-void RunFiles::write_history(State<D>& state) {
+Totals RunFiles::write_history(State<D>& state) {
     const std::vector<Totals> by_body = body_totals(state);
+    const Totals all = deformable_totals(state, by_body);
     const double interval = state.time - last_history_;
-    history_.row(history_row(state, deformable_totals(state, by_body), interval));
+    history_.row(history_row(state, all, interval));
     last_history_ = state.time;
     for (std::size_t b = 0; b < by_body.size(); ++b) {
         std::vector<CsvTable::Value> row = {std::int64_t{state.step}, state.time,
@@ -140,6 +154,7 @@ void RunFiles::write_history(State<D>& state) {
     }
     history_.flush();
     bodies_.flush();
+    return all;
 }
 
 template <int D>
@@ -169,17 +184,22 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
     if (of_contact) write_to_series(contact(), "vtp", contact_frame(state, contact().choice), reals_, write_contact);
     if (of_contact && state.scene.output.contact_clouds)
         write_contact_clouds(state, folder_, contact().frames - 1); // numbered as the pairs' frame
-    std::vector<PvdPart> parts;
-    for (const RunSeries& series : series_)
-        if (series.wanted) parts.push_back({series.name, &series.pvd});
-    write_parts(folder_ / "all.pvd", parts);
+    write_all_pvd();
     return true;
 }
 
 template <int D>
-void RunFiles::write_failed(const State<D>& state) {
-    std::filesystem::create_directories(folder_ / "particles");
-    write_particles(folder_ / "particles/failed.vtu", particle_frame(state));
+std::filesystem::path RunFiles::write_apart(const State<D>& state, const std::string& name) {
+    const std::filesystem::path file = apart(folder_, name);
+    std::filesystem::create_directories(file.parent_path());
+    write_particles(file, particle_frame(state));
+    return file;
+}
+
+std::string RunFiles::last_frame() const {
+    const std::vector<PvdEntry>& entries = series_[0].pvd.entries;
+    if (entries.empty()) return "";
+    return fmt::format("{} ({:g} s)", (folder_ / entries.back().file).string(), entries.back().time);
 }
 
 template <int D>
@@ -187,7 +207,8 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
                   const RunTiming& timing) {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const double particle_steps = static_cast<double>(state.particles.size()) * static_cast<double>(state.step);
+    const double particle_steps =
+        static_cast<double>(state.particles.size()) * static_cast<double>(state.step + timing.abandoned_steps);
     nlohmann::ordered_json json = {
         {"wall_seconds", timing.wall_seconds},
         {"cpu_seconds", timing.cpu_seconds},
@@ -195,6 +216,8 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
         {"output_seconds", timing.output_seconds},
         {"tasks", nlohmann::ordered_json::object()},
         {"steps", state.step},
+        {"step_reductions", state.step_reductions},
+        {"abandoned_steps", timing.abandoned_steps},
         {"particles", state.particles.size()},
         {"nodes", state.fields.size()},
         {"threads", timing.threads},
@@ -208,15 +231,15 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
 }
 
 template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<2>&, const OutputProgress*);
-template void RunFiles::write_history<2>(State<2>&);
+template Totals RunFiles::write_history<2>(State<2>&);
 template bool RunFiles::write_frames<2>(State<2>&, Frames);
-template void RunFiles::write_failed<2>(const State<2>&);
+template std::filesystem::path RunFiles::write_apart<2>(const State<2>&, const std::string&);
 template void write_timing<2>(const std::filesystem::path&, const State<2>&, const std::vector<Task<2>>&,
                               const RunTiming&);
 template RunFiles::RunFiles(const std::filesystem::path&, const std::string&, State<3>&, const OutputProgress*);
-template void RunFiles::write_history<3>(State<3>&);
+template Totals RunFiles::write_history<3>(State<3>&);
 template bool RunFiles::write_frames<3>(State<3>&, Frames);
-template void RunFiles::write_failed<3>(const State<3>&);
+template std::filesystem::path RunFiles::write_apart<3>(const State<3>&, const std::string&);
 template void write_timing<3>(const std::filesystem::path&, const State<3>&, const std::vector<Task<3>>&,
                               const RunTiming&);
 

@@ -6,6 +6,7 @@
 #include "io/results/pvd.h"
 #include "io/results/write_frame.h"
 #include "results/frames.h"
+#include "results/history.h"
 #include "step/state.h"
 #include "step/step.h"
 
@@ -41,23 +42,27 @@ public:
     /// Where the output is; without the schedule of the tables, which is not kept here.
     OutputProgress progress() const;
 
-    /// A row of history.csv and the rows of bodies.csv and pairs.csv.
+    /// A row of history.csv and the rows of bodies.csv and pairs.csv. \return totals of the bodies that deform
     template <int D>
-    void write_history(State<D>& state);
+    Totals write_history(State<D>& state);
     /// A frame of each series that gets one, and all.pvd. \return false if none got one
     template <int D>
     bool write_frames(State<D>& state, Frames which);
     /// The interpenetration of bodies in the frame of particles just written, if one was, as a fraction of their area;
     /// nothing without contact and in 3D, where it isn't measured.
     std::optional<double> interpenetration() const { return interpenetration_; }
-    /// The particles of a state that has gone wrong, as particles/failed.vtu.
+    /// The particles of a state beside the series: particles/NAME.vtu, failed or last_good. \return the file
     template <int D>
-    void write_failed(const State<D>& state);
+    std::filesystem::path write_apart(const State<D>& state, const std::string& name);
+    /// "results/particles/particles_00012.vtu (2.1e-06 s)", the last frame of particles; empty if there is none.
+    std::string last_frame() const;
 
 private:
     RunSeries& particles() { return series_[0]; }
     RunSeries& grid() { return series_[1]; }
     RunSeries& contact() { return series_[2]; }
+
+    void write_all_pvd() const;
 
     std::filesystem::path folder_;
     Reals reals_ = Reals::float64;
@@ -78,6 +83,7 @@ struct RunTiming {
     double cpu_seconds = 0;
     double solver_seconds = 0; ///< stepping
     double output_seconds = 0; ///< making and writing frames and rows
+    long abandoned_steps = 0;  ///< given up after trouble
     int threads = 1;
 };
 

@@ -37,6 +37,8 @@ void check_time(const TimeSpec& time, Problems& problems) {
     } else {
         demand(time.cfl > 0 && time.cfl <= 1, "/time/cfl", "must be greater than 0 and at most 1", problems);
     }
+    if (time.limits.speed) demand(*time.limits.speed > 0, "/time/limits/speed", "must be greater than 0 m/s", problems);
+    demand(time.limits.energy_growth > 0, "/time/limits/energy_growth", "must be greater than 0", problems);
 }
 
 /// In axisymmetric scenes x is the radius: nothing lies below 0, and no force is the same all around but along the

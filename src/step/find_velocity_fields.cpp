@@ -61,21 +61,37 @@ bool find_windows(State<D>& state) {
     return false;
 }
 
+/// The particle of a tile that sees the most nodes along an axis among those that see beyond the grid's blocks, or
+/// among all.
+template <int D>
+std::int32_t widest_particle(const State<D>& state, const Tile<D>& tile, int axis, bool beyond) {
+    std::int32_t widest = tile.first;
+    int most = 0;
+    with_shape(state.scene.method.shape, [&](auto shape) {
+        for (std::int32_t p = tile.first; p < tile.last; ++p) {
+            const Window<D> window = shape.window(state.grid, domain_of(state.particles, p));
+            const bool inside = window.lower[axis] >= 0 && window.upper[axis] < state.grid.blocks[axis] * block_edge;
+            if ((beyond && inside) || window.extent(axis) <= most) continue;
+            widest = p;
+            most = window.extent(axis);
+        }
+    });
+    return widest;
+}
+
 template <int D>
 void check_windows(const State<D>& state) {
     for (const Tile<D>& tile : state.tiling.tiles)
         for (int a = 0; a < D; ++a)
             if (tile.window.lower[a] < 0 || tile.window.upper[a] >= state.grid.blocks[a] * block_edge)
-                throw RunError(describe_failure(state, tile.first,
-                                                "the domain of a particle near this one reaches out of the grid; a "
-                                                "larger grid may help, or a smaller time step if the "
-                                                "run has diverged"));
+                throw RunError(Trouble::domain_left_grid,
+                               describe_failure(state, widest_particle(state, tile, a, true),
+                                                "the particle's domain reaches out of the grid"));
     for (const Tile<D>& tile : state.tiling.tiles)
         for (int a = 0; a < D; ++a)
             if (tile.window.extent(a) > most_axis_nodes)
-                throw RunError(describe_failure(state, tile.first,
-                                                "a particle near this one is stretched over dozens "
-                                                "of cells; a smaller time step may help"));
+                throw RunError(Trouble::stretched, describe_failure(state, widest_particle(state, tile, a, false),
+                                                                    "the particle is stretched over dozens of cells"));
 }
 
 } // namespace

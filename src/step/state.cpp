@@ -1,6 +1,7 @@
 #include "step/state.h"
 
 #include "boundary/rigid_motion.h"
+#include "step/watch.h"
 
 #include <algorithm>
 
@@ -94,6 +95,7 @@ State<D> make_state(const Scene& scene, const Model& model) {
         }
         state.largest_wave_speed = std::max(state.largest_wave_speed, std::sqrt(stiffness / material.density));
     }
+    state.speed_limit = speed_limit(state);
     return state;
 }
 

@@ -56,6 +56,15 @@ struct RigidTotals {
     Vector angular_impulse{}; ///< about its centre [N m s]
 };
 
+/// What watch_energy() has seen at the rows of history.csv so far.
+struct EnergyWatch {
+    double initial = 0;       ///< energy when it first looked [J]
+    double given = 0;         ///< energy at the start and all work since, each without its sign [J]; 0: not begun
+    double lowest = 0;        ///< least of energy − initial energy − works [J]
+    double external_work = 0; ///< at the last row [J]
+    double contact_work = 0;  ///< likewise [J]
+};
+
 /// Everything that a run changes.
 template <int D>
 struct State {
@@ -79,12 +88,15 @@ struct State {
     std::vector<TractionFace> traction_faces;
     std::vector<ShapedFace<D>> shaped_faces; ///< the same at the beginning of the present step
     Ledger ledger;
+    EnergyWatch energy_watch;
     std::map<std::pair<std::int32_t, std::int32_t>, PairTotals>
         pair_totals;                                  ///< by bodies a < b that have been in contact
     std::map<std::int32_t, RigidTotals> rigid_totals; ///< by body
     double time = 0;                                  ///< [s]
     double dt = 0;                                    ///< of the present step [s]
     long step = 0;
+    int step_reductions = 0;       ///< how often the time step was halved after trouble
+    double speed_limit = 0;        ///< of a particle [m/s], see step/watch.h
     double largest_wave_speed = 0; ///< over all particles, of the present state [m/s]
     double since_transfer = 0;     ///< time since the last step with the scheme's transfer [s] (Effects::periodic)
     bool wants_areas = false;      ///< the present step finds contact areas for a row of pairs.csv (Effects::pairs)

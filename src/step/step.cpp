@@ -7,8 +7,10 @@
 #include "plan/time_step.h"
 #include "step/run_error.h"
 #include "step/tasks.h"
+#include "step/watch.h"
 
 #include <chrono>
+#include <cmath>
 #include <sstream>
 
 namespace abut {
@@ -100,15 +102,16 @@ double stable_step(const State<D>& state) {
 template <int D>
 double next_step(const State<D>& state, double until) {
     const double stable = stable_step(state);
-    double dt = std::min(state.scene.time.cfl * crossing_time(state), stable);
+    const double reduction = std::ldexp(1.0, -state.step_reductions);
+    double dt = reduction * std::min(state.scene.time.cfl * crossing_time(state), stable);
     if (state.scene.time.step) {
-        dt = *state.scene.time.step;
+        dt = reduction * *state.scene.time.step;
         if (dt > stable) {
             std::ostringstream text;
-            text << "step " << state.step << ", time " << state.time << " s: the time step of " << dt
-                 << " s is above the stable one of " << stable << " s (" << cfl_limit(state.scene)
-                 << " cell / wave speed)";
-            throw RunError(text.str());
+            text << "the time step of " << dt << " s is above the stable one of " << stable << " s ("
+                 << cfl_limit(state.scene) << " cell / wave speed); waves are fastest here, "
+                 << state.largest_wave_speed << " m/s";
+            throw RunError(Trouble::step_too_large, describe_failure(state, stiffest_particle(state), text.str()));
         }
     }
     return std::min(dt, until - state.time);

@@ -27,8 +27,9 @@ double crossing_time(const State<D>& state);
 template <int D>
 double stable_step(const State<D>& state);
 
-/// The next time step: the scene's fixed step, or its cfl times the crossing time but not above the stable step;
-/// shorter if the run would otherwise pass `until`. \throws RunError if the fixed step is above the stable one
+/// The next time step: the scene's fixed step, or its cfl times the crossing time but not above the stable step; halved
+/// for each of State::step_reductions; shorter if the run would otherwise pass `until`.
+/// \throws RunError if the fixed step is above the stable one
 template <int D>
 double next_step(const State<D>& state, double until);
 

@@ -4,6 +4,7 @@
 #include "step/run_error.h"
 #include "step/tasks.h"
 #include "step/update_stress.h"
+#include "step/watch.h"
 #include "transfer/transfer.h"
 
 namespace abut {
@@ -28,19 +29,11 @@ bool has_crossed_axis(const State<D>& state, std::int32_t p) {
     return state.effects.ring && !(state.particles.position[p][0] > 0);
 }
 
+/// Whether a particle is where it may be, with a speed that it may have; not so if either is not a number.
 template <int D>
-bool is_in_place(const State<D>& state, std::int32_t p) {
-    return state.grid.contains(state.particles.position[p]) && !has_crossed_axis(state, p);
-}
-
-template <int D>
-std::string what_failed(const State<D>& state, std::int32_t p) {
-    if (!state.grid.contains(state.particles.position[p]))
-        return "the particle left the grid (or its position is not a number)";
-    if (has_crossed_axis(state, p))
-        return "the particle crossed the axis r = 0; a smaller time step or more cells near the axis may help";
-    return "the particle is turned inside out (det F <= 0), stretched ten thousandfold or not a number; a smaller time "
-           "step may help";
+bool moves_soundly(const State<D>& state, std::int32_t p) {
+    return state.grid.contains(state.particles.position[p]) && !has_crossed_axis(state, p) &&
+           state.particles.velocity[p].squaredNorm() <= state.speed_limit * state.speed_limit;
 }
 
 /// What a sweep does with the particles.
@@ -111,7 +104,7 @@ double sweep_tile(State<D>& state, const Sweep<D>& sweep, const Tile<D>& tile, s
             gradients[p - first] = g.gradient;
             if (!sweep.rule) continue;
             move(*sweep.rule, g, particles.velocity[p], particles.position[p], state.dt);
-            if (failed < 0 && !is_in_place(state, p)) failed = p;
+            if (failed < 0 && !moves_soundly(state, p)) failed = p;
         }
         if (!deforms) continue;
         with_law(state.material_of(tile.body).law, [&](const auto& law) {
@@ -119,7 +112,9 @@ double sweep_tile(State<D>& state, const Sweep<D>& sweep, const Tile<D>& tile, s
                 const double stiffness = update_stress(particles, p, law, gradients[p - first], sweep.strain_step,
                                                        state.effects.free_across);
                 stiffest = std::max(stiffest, stiffness);
-                if (failed < 0 && !(stiffness >= 0)) failed = p;
+                // Neither negative nor infinite nor not a number; a sum of stresses is none of these if they aren't.
+                const bool sound = stiffness >= 0 && std::isfinite(stiffness + particles.stress[p].sum());
+                if (failed < 0 && !sound) failed = p;
             }
         });
     }
@@ -150,8 +145,7 @@ void run(State<D>& state, const Sweep<D>& sweep) {
         with_extra(std::integral_constant<int, 1>{});
     else
         with_extra(std::integral_constant<int, 0>{});
-    if (const std::int32_t p = failures.first(); p >= 0)
-        throw RunError(describe_failure(state, p, what_failed(state, p)));
+    if (const std::int32_t p = failures.first(); p >= 0) throw_trouble_of(state, p);
     if (sweep.strain_step > 0) {
         state.largest_wave_speed = 0;
         for (const double speed : fastest) state.largest_wave_speed = std::max(state.largest_wave_speed, speed);

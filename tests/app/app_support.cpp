@@ -135,4 +135,28 @@ std::vector<std::vector<std::string>> table(const std::string& csv) {
     return rows;
 }
 
+std::map<std::string, std::string> results_in(const Folder& folder, const std::string& results) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / results)) {
+        const std::string name = std::filesystem::relative(entry.path(), folder / results).string();
+        if (entry.is_regular_file() && name != "timing.json" && name != "checkpoint-previous.h5")
+            files[name] = folder.read(results + "/" + name);
+    }
+    return files;
+}
+
+void expect_same_results(const Folder& folder, const std::string& a, const std::string& b, const std::string& what) {
+    const auto first = results_in(folder, a);
+    const auto second = results_in(folder, b);
+    EXPECT_GT(first.size(), 5U) << what;
+    for (const auto& [name, bytes] : first) {
+        const auto found = second.find(name);
+        if (found == second.end())
+            ADD_FAILURE() << what << ": " << name << " is not in " << b;
+        else
+            EXPECT_TRUE(found->second == bytes) << what << ": " << name << " differs";
+    }
+    EXPECT_EQ(first.size(), second.size()) << what;
+}
+
 } // namespace abut::app_test

@@ -61,4 +61,10 @@ std::vector<std::string> lines(const std::string& text);
 /// The cells of a CSV file without quoted cells, its header first.
 std::vector<std::vector<std::string>> table(const std::string& csv);
 
+/// All result files with their bytes, the checkpoint too, but those that tell of the run and not of its results.
+std::map<std::string, std::string> results_in(const Folder& folder, const std::string& results);
+
+/// Expects the same of two result folders, `what` being said otherwise.
+void expect_same_results(const Folder& folder, const std::string& a, const std::string& b, const std::string& what);
+
 } // namespace abut::app_test

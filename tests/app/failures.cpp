@@ -70,7 +70,10 @@ void expect_failure(const std::vector<std::string>& patches, const std::string& 
     folder.write("scene.json", small_scene(patches).dump());
     const Outcome outcome = folder.abut({"run", "scene.json", "-o", "results", "--quiet"});
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(lines(outcome.err), testing::ElementsAre(AllOf(testing::StartsWith("abut: step "), HasSubstr(words))));
+    const std::vector<std::string> said = lines(outcome.err);
+    ASSERT_GT(said.size(), 1U);
+    EXPECT_THAT(said[0], AllOf(testing::StartsWith("abut: step "), HasSubstr(words)));
+    for (std::size_t i = 1; i < said.size(); ++i) EXPECT_THAT(said[i], testing::StartsWith("  "));
     EXPECT_FALSE(read_points(folder / "results/particles/failed.vtu").points.empty());
     EXPECT_EQ(read_pvd(folder / "results/particles.pvd").entries.size(), 1U);
     EXPECT_TRUE(std::filesystem::exists(folder / "results/timing.json"));
@@ -105,7 +108,7 @@ TEST(Failure, Divergence) {
                                    {"name": "right", "material": "rubber", "velocity": ["-900 m/s", 0],
                                     "box": {"lower": ["6 mm", "3 mm"], "upper": ["9 mm", "9 mm"]}}]})",
                     R"({"method": {"transfer": {"order": null}}})"},
-                   "time ");
+                   "the particle moves at ");
 }
 
 TEST(DiskFull, IsReportedAsSuch) {

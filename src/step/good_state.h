@@ -1,0 +1,18 @@
+#pragma once
+#include "step/state.h"
+
+namespace abut {
+
+/// How often a run may halve its time step after trouble.
+constexpr int most_step_reductions = 5;
+
+/// What of a state a run can go on from, bit for bit; all else is made anew from it. As in a checkpoint: particles in
+/// their order with their tiles, sums of the ledger and of the rows under way, the clock.
+template <int D>
+State<D> kept_copy(const State<D>& state);
+
+/// Brings a state of the same run back to where kept_copy() was made.
+template <int D>
+void go_back(const State<D>& kept, State<D>& state);
+
+} // namespace abut

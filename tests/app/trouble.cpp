@@ -1,0 +1,190 @@
+/// Runs that go wrong: the diagnosis, what is left, and going back with half the time step.
+#include "app_support.h"
+
+#include "io/results/pvd.h"
+#include "io/results/read_frame.h"
+
+#include <set>
+
+namespace abut::app_test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A piston compresses a block, which stiffens: the fixed step that was just stable no longer is.
+const char* const piston = R"({
+    "contact": null, "gravity": null,
+    "time": {"step": "7.5 us", "end": "0.25 ms"}, "output": {"every": "20 us", "history_every": "1 us"},
+    "bodies": [{"name": "block", "material": "rubber", "box": {"lower": ["2 mm", 0], "upper": ["10 mm", "8 mm"]}}],
+    "boundaries": [{"name": "floor", "wall": {"axis": "y", "side": "lower", "position": 0}},
+                   {"name": "piston", "wall": {"axis": "y", "side": "upper", "position": "8 mm",
+                                               "velocity": "-18 m/s"}}]})";
+const char* const shrink = R"({"time": {"on_trouble": "shrink-step"}})";
+
+/// A ball that falls so fast that a limit is passed, whatever the step.
+const char* const fall = R"({
+    "contact": null, "boundaries": null, "gravity": [0, "-1e5 m/s^2"],
+    "time": {"end": "0.1 ms", "limits": {"speed": "3 m/s"}}, "output": {"every": "5 us", "history_every": "2 us"},
+    "bodies": [{"name": "ball", "material": "rubber", "disk": {"center": ["6 mm", "8 mm"], "radius": "2 mm"}}]})";
+
+/// The tables go forward in time without repeats; the series list each time once, and frames with these times.
+void expect_consistent(const Folder& folder, const std::string& results) {
+    const auto rows = table(folder.read(results + "/history.csv"));
+    ASSERT_GT(rows.size(), 2U);
+    for (std::size_t i = 2; i < rows.size(); ++i) {
+        EXPECT_GT(std::stod(rows[i][1]), std::stod(rows[i - 1][1]));
+        EXPECT_GT(std::stol(rows[i][0]), std::stol(rows[i - 1][0]));
+    }
+    const auto bodies = table(folder.read(results + "/bodies.csv"));
+    EXPECT_EQ(bodies.size(), rows.size()) << "one body";
+    for (const char* name : {"particles", "grid"}) {
+        const PvdSeries series = read_pvd(folder / (results + "/" + name + ".pvd"));
+        std::set<std::string> files;
+        for (std::size_t i = 0; i < series.entries.size(); ++i) {
+            EXPECT_TRUE(i == 0 || series.entries[i].time > series.entries[i - 1].time);
+            EXPECT_TRUE(std::filesystem::exists(folder / (results + "/" + series.entries[i].file)));
+            files.insert(series.entries[i].file);
+        }
+        EXPECT_EQ(files.size(), series.entries.size());
+        for (const auto& entry : std::filesystem::directory_iterator(folder / (results + "/" + name))) {
+            const std::string file = name + ("/" + entry.path().filename().string());
+            EXPECT_TRUE(files.count(file) == 1 || file == "particles/failed.vtu" || file == "particles/last_good.vtu")
+                << file << " is of steps given up";
+        }
+    }
+    for (const PvdEntry& entry : read_pvd(folder / (results + "/particles.pvd")).entries)
+        EXPECT_EQ(read_points(folder / (results + "/" + entry.file)).time, entry.time);
+    EXPECT_THAT(folder.read(results + "/all.pvd"),
+                HasSubstr(read_pvd(folder / (results + "/grid.pvd")).entries.back().file));
+}
+
+Outcome run(const Folder& folder, const std::string& results, const Arguments& more = {}) {
+    Arguments arguments{"run", "scene.json", "-o", results, "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return folder.abut(arguments);
+}
+
+TEST(Trouble, StopsWithADiagnosisThatNamesFilesAndSettings) {
+    const Folder folder;
+    folder.write("scene.json", small_scene({piston, R"({"output": {"checkpoint_every_steps": 10}})"}).dump());
+    const Outcome outcome = run(folder, "r");
+    EXPECT_EQ(outcome.exit_code, 1);
+    const auto said = lines(outcome.err);
+    ASSERT_GE(said.size(), 5U) << outcome.err;
+    EXPECT_THAT(said[0],
+                AllOf(testing::StartsWith("abut: step "), HasSubstr("particle "), HasSubstr("of body \"block\" at ("),
+                      HasSubstr("the time step of 7.5e-06 s is above the stable one of ")));
+    EXPECT_THAT(said[1], testing::StrEq("  the state gone wrong: r/particles/failed.vtu"));
+    EXPECT_THAT(said[2], AllOf(HasSubstr("the last frame before: r/particles/particles_000"), HasSubstr(" s)")));
+    EXPECT_THAT(said[3], AllOf(HasSubstr("the last checkpoint before: r/checkpoint.h5 (step "), HasSubstr("0, ")));
+    EXPECT_THAT(said[4], HasSubstr("try a smaller time step: --set \"/time/step=3.75e-06 s\" (it is 7.5e-06 s)"));
+    EXPECT_THAT(said.back(), HasSubstr("--resume --set /time/on_trouble=shrink-step"));
+    expect_consistent(folder, "r");
+
+    // The advice works as it stands.
+    const Outcome rescued = run(folder, "r", {"--resume", "--set", "/time/on_trouble=shrink-step"});
+    EXPECT_EQ(rescued.exit_code, 0) << rescued.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "r/particles/failed.vtu"));
+    expect_consistent(folder, "r");
+}
+
+TEST(ShrinkStep, RescuesARun) {
+    const Folder folder;
+    folder.write("scene.json", small_scene({piston, shrink}).dump());
+    const Outcome outcome = run(folder, "r", {"--threads", "1"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err,
+                AllOf(HasSubstr("is above the stable one of "), HasSubstr("  going back to step 0, time 0 s"),
+                      HasSubstr("(reduction 1 of at most 5)")));
+    expect_consistent(folder, "r");
+    const Json timing = Json::parse(folder.read("r/timing.json"));
+    EXPECT_GE(timing["step_reductions"].get<int>(), 1);
+    EXPECT_GT(timing["abandoned_steps"].get<int>(), 5);
+    const auto rows = table(folder.read("r/history.csv"));
+    EXPECT_EQ(std::stod(rows[2][2]), 3.75e-6) << "dt since the start, to which it went back";
+    EXPECT_EQ(std::stod(rows.back()[1]), 0.25e-3);
+
+    const Outcome other = run(folder, "two", {"--threads", "2"});
+    EXPECT_EQ(other.exit_code, 0);
+    expect_same_results(folder, "r", "two", "two threads");
+}
+
+TEST(ShrinkStep, ResumesBitIdentically) {
+    // Steps small enough for good states to come and go before the trouble and after it.
+    const Folder folder;
+    folder.write(
+        "scene.json",
+        small_scene({piston, shrink, R"({"grid": {"cell": "0.25 mm"}, "time": {"step": "1.875 us"}})"}).dump());
+    const Outcome whole = run(folder, "whole", {"--threads", "2"});
+    ASSERT_EQ(whole.exit_code, 0) << whole.err;
+    EXPECT_THAT(whole.err, Not(HasSubstr("going back to step 0,")));
+    std::string said;
+    for (const Arguments& part : {Arguments{"--steps", "90"}, Arguments{"--steps", "140", "--resume"},
+                                  Arguments{"--steps", "260", "--resume"}, Arguments{"--resume"}}) {
+        const Outcome outcome = run(folder, "parts", part);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        said += outcome.err;
+    }
+    EXPECT_THAT(said, HasSubstr("going back to step "));
+    expect_same_results(folder, "whole", "parts", "resumed");
+    EXPECT_EQ(Json::parse(folder.read("whole/timing.json"))["step_reductions"],
+              Json::parse(folder.read("parts/timing.json"))["step_reductions"]);
+}
+
+TEST(ShrinkStep, GivesUpAfterFiveReductions) {
+    const Folder folder;
+    folder.write("scene.json", small_scene({fall, shrink}).dump());
+    const Outcome outcome = run(folder, "r");
+    EXPECT_EQ(outcome.exit_code, 1);
+    for (int i = 1; i <= 5; ++i)
+        EXPECT_THAT(outcome.err, HasSubstr("(reduction " + std::to_string(i) + " of at most 5)"));
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("above /time/limits/speed of 3 m/s"),
+                                   HasSubstr("the time step was halved 5 times in vain"),
+                                   HasSubstr("the state gone wrong: r/particles/failed.vtu"),
+                                   HasSubstr("the last good state, step "), HasSubstr(": r/particles/last_good.vtu"),
+                                   HasSubstr("the last checkpoint before: r/checkpoint.h5 (step "),
+                                   HasSubstr("halved 5 times since"), Not(HasSubstr("on_trouble=shrink-step"))));
+    expect_consistent(folder, "r");
+    EXPECT_LT(read_points(folder / "r/particles/last_good.vtu").time,
+              read_points(folder / "r/particles/failed.vtu").time);
+    EXPECT_EQ(Json::parse(folder.read("r/timing.json"))["step_reductions"], 5);
+
+    // The checkpoint is of the good state, and the limit may be raised.
+    const Outcome on = run(folder, "r", {"--resume", "--set", "/time/limits/speed=300 m/s"});
+    EXPECT_EQ(on.exit_code, 0) << on.err;
+    expect_consistent(folder, "r");
+}
+
+TEST(Trouble, SpeedAboveTheLimit) {
+    const Folder folder;
+    folder.write("scene.json", small_scene({fall}).dump());
+    const Outcome outcome = run(folder, "r");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err,
+                AllOf(HasSubstr("of body \"ball\" at ("), HasSubstr("the particle moves at 3."),
+                      HasSubstr("no checkpoint was written before"), HasSubstr("a higher /time/limits/speed"),
+                      HasSubstr("it is 0.4"), HasSubstr("--set /time/on_trouble=shrink-step")));
+}
+
+TEST(Trouble, ADiagnosisIsNotLostWhenItsFilesCantBeWritten) {
+    const Folder folder;
+    folder.write(
+        "scene.json",
+        small_scene({fall, R"({"output": {"checkpoint": false, "grid": false, "particle_arrays": ["velocity"]}})"})
+            .dump());
+    const Outcome whole = run(folder, "whole");
+    const auto large = std::filesystem::file_size(folder / "whole/particles/failed.vtu");
+    const auto small = std::filesystem::file_size(folder / "whole/particles/particles_00000.vtu");
+    ASSERT_GT(large, small + 1000);
+    const Outcome outcome = folder.abut({"run", "scene.json", "-o", "r", "--quiet", "--threads", "1"}, large - 500);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, AllOf(testing::StartsWith("abut: step "), HasSubstr("/time/limits/speed of 3 m/s"),
+                                   HasSubstr("the state gone wrong: not written: r/particles/failed.vtu"),
+                                   HasSubstr("File too large"), HasSubstr("try a smaller time step")));
+    EXPECT_FALSE(std::filesystem::exists(folder / "r/particles/failed.vtu"));
+}
+
+} // namespace
+} // namespace abut::app_test
