@@ -227,13 +227,14 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
                 go_back_and_halve_step(error);
                 continue;
             }
-            std::string timing_left; // a disk that is full as well must not hide the diagnosis
+            std::string unwritten; // a disk that is full as well must not hide the diagnosis
             try {
+                if (!good.empty()) write_checkpoint();
                 finish();
             } catch (const std::exception& cause) {
-                timing_left = cause.what();
+                unwritten = cause.what();
             }
-            report_trouble(error, state, *files, good, checkpoints.last(), timing_left);
+            report_trouble(error, state, *files, good, checkpoints.last(), unwritten);
         }
     }
     // Before the rows and frames that only this end of the run calls for.

@@ -165,7 +165,7 @@ bool depends_on_step(Trouble trouble) {
 
 template <int D>
 void report_trouble(const RunError& error, State<D>& state, RunFiles& files, GoodStates<D>& good,
-                    const std::string& checkpoint, const std::string& timing) {
+                    const std::string& checkpoint, const std::string& unwritten) {
     std::vector<std::string> advice = advice_on(error.trouble(), state);
     std::vector<std::string> left;
     const auto write = [&](const char* name, const std::string& what) {
@@ -186,7 +186,7 @@ void report_trouble(const RunError& error, State<D>& state, RunFiles& files, Goo
     }
     left.push_back(checkpoint.empty() ? "no checkpoint was written before: see /output/checkpoint_every"
                                       : "the last checkpoint before: " + checkpoint);
-    if (!timing.empty()) left.push_back("times of the run: not written: " + timing);
+    if (!unwritten.empty()) left.push_back(unwritten);
     if (good.empty() && depends_on_step(error.trouble()))
         advice.push_back(checkpoint.empty()
                              ? "--set /time/on_trouble=shrink-step, which goes back and halves the step by itself"

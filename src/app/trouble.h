@@ -12,9 +12,9 @@ bool depends_on_step(Trouble trouble);
 
 /// Ends a run that went wrong: leaves the states before and after, and throws the diagnosis with the names of these
 /// files and advice that fits the scene's settings. If the files can't be written, the diagnosis is given all the same.
-/// \param checkpoint Checkpoints::last() \param timing why timing.json could not be written; empty: it is
+/// \param checkpoint Checkpoints::last() \param unwritten why something else was not written; empty: nothing
 template <int D>
 [[noreturn]] void report_trouble(const RunError& error, State<D>& state, RunFiles& files, GoodStates<D>& good,
-                                 const std::string& checkpoint, const std::string& timing);
+                                 const std::string& checkpoint, const std::string& unwritten);
 
 } // namespace abut

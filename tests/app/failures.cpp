@@ -108,7 +108,7 @@ TEST(Failure, Divergence) {
                                    {"name": "right", "material": "rubber", "velocity": ["-900 m/s", 0],
                                     "box": {"lower": ["6 mm", "3 mm"], "upper": ["9 mm", "9 mm"]}}]})",
                     R"({"method": {"transfer": {"order": null}}})"},
-                   "the particle moves at ");
+                   " m/s");
 }
 
 TEST(DiskFull, IsReportedAsSuch) {

@@ -21,6 +21,14 @@ const char* const piston = R"({
     "boundaries": [{"name": "floor", "wall": {"axis": "y", "side": "lower", "position": 0}},
                    {"name": "piston", "wall": {"axis": "y", "side": "upper", "position": "8 mm",
                                                "velocity": "-18 m/s"}}]})";
+/// A piston that rests at first and then pushes so fast that the step gives energy out of nothing: nearly three times
+/// what the piston does, and a ten thousandth with a step of 1 us.
+const char* const late_piston = R"({
+    "grid": {"cell": "0.25 mm"}, "time": {"step": "1.4 us", "end": "0.4 ms"},
+    "boundaries": [{"name": "floor", "wall": {"axis": "y", "side": "lower", "position": 0}},
+                   {"name": "piston", "wall": {"axis": "y", "side": "upper", "position": "8 mm",
+                                               "velocity": {"times": [0, "0.3 ms", "0.55 ms"],
+                                                            "values": [0, 0, "-30 m/s"]}}}]})";
 const char* const shrink = R"({"time": {"on_trouble": "shrink-step"}})";
 
 /// A ball that falls so fast that a limit is passed, whatever the step.
@@ -101,7 +109,7 @@ TEST(ShrinkStep, RescuesARun) {
     expect_consistent(folder, "r");
     const Json timing = Json::parse(folder.read("r/timing.json"));
     EXPECT_GE(timing["step_reductions"].get<int>(), 1);
-    EXPECT_GT(timing["abandoned_steps"].get<int>(), 5);
+    EXPECT_GT(timing["abandoned_steps"].get<int>(), 0);
     const auto rows = table(folder.read("r/history.csv"));
     EXPECT_EQ(std::stod(rows[2][2]), 3.75e-6) << "dt since the start, to which it went back";
     EXPECT_EQ(std::stod(rows.back()[1]), 0.25e-3);
@@ -112,17 +120,15 @@ TEST(ShrinkStep, RescuesARun) {
 }
 
 TEST(ShrinkStep, ResumesBitIdentically) {
-    // Steps small enough for good states to come and go before the trouble and after it.
+    // Good states come and go before the trouble and after it.
     const Folder folder;
-    folder.write(
-        "scene.json",
-        small_scene({piston, shrink, R"({"grid": {"cell": "0.25 mm"}, "time": {"step": "1.875 us"}})"}).dump());
+    folder.write("scene.json", small_scene({piston, late_piston, shrink}).dump());
     const Outcome whole = run(folder, "whole", {"--threads", "2"});
     ASSERT_EQ(whole.exit_code, 0) << whole.err;
-    EXPECT_THAT(whole.err, Not(HasSubstr("going back to step 0,")));
+    EXPECT_THAT(whole.err, HasSubstr("going back to step 100,"));
     std::string said;
-    for (const Arguments& part : {Arguments{"--steps", "90"}, Arguments{"--steps", "140", "--resume"},
-                                  Arguments{"--steps", "260", "--resume"}, Arguments{"--resume"}}) {
+    for (const Arguments& part : {Arguments{"--steps", "90"}, Arguments{"--steps", "150", "--resume"},
+                                  Arguments{"--steps", "330", "--resume"}, Arguments{"--resume"}}) {
         const Outcome outcome = run(folder, "parts", part);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         said += outcome.err;
@@ -147,6 +153,10 @@ TEST(ShrinkStep, GivesUpAfterFiveReductions) {
                                    HasSubstr("the last checkpoint before: r/checkpoint.h5 (step "),
                                    HasSubstr("halved 5 times since"), Not(HasSubstr("on_trouble=shrink-step"))));
     expect_consistent(folder, "r");
+    const auto step_in = [&](const std::string& words) {
+        return std::stol(outcome.err.substr(outcome.err.find(words) + words.size()));
+    };
+    EXPECT_EQ(step_in("the last good state, step "), step_in("r/checkpoint.h5 (step "));
     EXPECT_LT(read_points(folder / "r/particles/last_good.vtu").time,
               read_points(folder / "r/particles/failed.vtu").time);
     EXPECT_EQ(Json::parse(folder.read("r/timing.json"))["step_reductions"], 5);
@@ -155,6 +165,20 @@ TEST(ShrinkStep, GivesUpAfterFiveReductions) {
     const Outcome on = run(folder, "r", {"--resume", "--set", "/time/limits/speed=300 m/s"});
     EXPECT_EQ(on.exit_code, 0) << on.err;
     expect_consistent(folder, "r");
+}
+
+TEST(Trouble, EnergyOutOfNothing) {
+    const Folder folder;
+    folder.write("scene.json", small_scene({piston, late_piston}).dump());
+    const Outcome outcome = run(folder, "r");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err,
+                AllOf(HasSubstr(" J has appeared out of nothing"), HasSubstr("of body \"block\" at ("),
+                      HasSubstr("try a smaller time step: --set \"/time/step=7e-07 s\""),
+                      HasSubstr("shape functions of higher order: --set /method/shape=b2cpdi (it is ugimp)")));
+    expect_consistent(folder, "r");
+    const Outcome small = run(folder, "small", {"--set", "/time/step=1 us"});
+    EXPECT_EQ(small.exit_code, 0) << small.err;
 }
 
 TEST(Trouble, SpeedAboveTheLimit) {
