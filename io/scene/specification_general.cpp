@@ -87,7 +87,8 @@ std::vector<Key> general_keys() {
          .otherwise = "1",
          .range = above(0),
          .meaning = "Energy that has appeared out of nothing, as a fraction of all that the scene was given: its "
-                    "energy at the start and the work of boundaries, gravity and contact. Looked at when a row of "
+                    "energy at the start and the work of boundaries, gravity and contact; with `fmpm` times its order. "
+                    "Looked at when a row of "
                     "`history.csv` is written."},
 
         {.path = "/method", .kind = Kind::object, .otherwise = "{}", .meaning = "The numerical method."},

@@ -141,12 +141,14 @@ void watch_energy(State<D>& state, double energy, double mass) {
     const double balance = energy - watch.initial - ledger.external_work - ledger.contact_work;
     watch.lowest = std::min(watch.lowest, balance);
     const double growth = balance - watch.lowest;
-    const double limit = state.scene.time.limits.energy_growth;
+    // FMPM(k) gives edge nodes up to k times the momentum of which the ledger counts the work; see cfl_limit().
+    const double orders = state.effects.fmpm ? state.scene.method.transfer.order : 1;
+    const double limit = orders * state.scene.time.limits.energy_growth;
     if (growth <= limit * watch.given) return;
     std::ostringstream text;
     text << "energy of " << growth << " J has appeared out of nothing, " << growth / watch.given
-         << " of all that the scene was given, above /time/limits/energy_growth of " << limit
-         << "; this particle is the fastest";
+         << " of all that the scene was given, above /time/limits/energy_growth of " << limit / orders
+         << (orders > 1 ? " times the order of fmpm" : "") << "; this particle is the fastest";
     throw RunError(Trouble::energy_growth, describe_failure(state, fastest_particle(state), text.str()));
 }
 

@@ -16,10 +16,10 @@ double speed_limit(const State<D>& state);
 
 /// Looks at the energy balance. What a step does wrong shows as energy − initial energy − external work − contact work;
 /// it falls where a method dissipates, and a sound run raises it by little: its rise from the lowest so far must stay
-/// below LimitsSpec::energy_growth times all that the scene was given (EnergyWatch::given). Motion at less than a
-/// millionth of the wave speed is round-off and counts as given.
-/// \param energy kinetic and strain energy of the bodies that deform [J] \param mass theirs [kg]
-/// \throws RunError that names the fastest particle
+/// below LimitsSpec::energy_growth times all that the scene was given (EnergyWatch::given); with fmpm times its order
+/// as well, since a load that sets in suddenly does more work at the edge of a body than the ledger's lumped nodes
+/// tell. Motion at less than a millionth of the wave speed is round-off and counts as given. \param energy kinetic and
+/// strain energy of the bodies that deform [J] \param mass theirs [kg] \throws RunError that names the fastest particle
 template <int D>
 void watch_energy(State<D>& state, double energy, double mass);
 

@@ -141,8 +141,12 @@ TEST(Watch, SpeedLimitIsTenTimesWhatTheSceneBrings) {
 }
 
 /// What watch_energy() says after a run of energies and external works.
-bool grows(const std::vector<std::pair<double, double>>& rows, double limit) {
-    State<2> state = two_blocks([&](Scene& s) { s.time.limits.energy_growth = limit; });
+bool grows(const std::vector<std::pair<double, double>>& rows, double limit, int fmpm_order = 0) {
+    State<2> state = two_blocks([&](Scene& s) {
+        s.time.limits.energy_growth = limit;
+        if (fmpm_order > 0)
+            s.method.transfer = transfer(TransferScheme::fmpm, fmpm_order, PositionUpdate::mean_velocity);
+    });
     for (const auto& [energy, work] : rows) {
         state.ledger.external_work = work;
         try {
@@ -165,6 +169,8 @@ TEST(Watch, EnergyOutOfNothingIsNoticed) {
     EXPECT_FALSE(grows({{0, 0}, {1e-12, 0}}, 1)) << "round-off of a scene at rest";
     EXPECT_TRUE(grows({{0, 0}, {1e-6, 0}}, 1));
     EXPECT_TRUE(grows({{10, 0}, {nan, 0}}, 1));
+    EXPECT_FALSE(grows({{10, 0}, {29, 0}}, 0.5, 4)) << "fmpm of order 4";
+    EXPECT_TRUE(grows({{10, 0}, {31, 0}}, 0.5, 4));
 }
 
 TEST(GoodState, GoingBackGivesTheSameBits) {
