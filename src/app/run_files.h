@@ -3,6 +3,7 @@
 #include "io/render/live_picture.h"
 #include "io/results/csv.h"
 #include "io/results/pvd.h"
+#include "io/results/write_contact_clouds.h"
 #include "io/results/write_frame.h"
 #include "results/frames.h"
 #include "step/state.h"
@@ -60,6 +61,7 @@ private:
     CsvTable bodies_;
     std::optional<CsvTable> pairs_; ///< scenes with contact
     std::array<RunSeries, 3> series_;
+    CloudSeries clouds_; ///< scenes that take contact nodes apart
     std::optional<double> interpenetration_;
     std::optional<LivePicture> live_; ///< scenes that want one
     RunSeries live_times_;            ///< when it is drawn: as the particles would be written
