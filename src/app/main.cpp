@@ -179,8 +179,8 @@ int run_program(int argc, char** argv) {
     ContactOptions contact_options;
     CLI::App* contact = program.add_subcommand("contact", "Takes a contact node of a result apart, method by method");
     contact->add_option("DIR", contact_options.results, "result folder")->required();
-    contact->add_option("--step", contact_options.step,
-                        "number of the frame, as in particles_0000N.vtu; default the last");
+    contact->add_option("--step,--frame", contact_options.step,
+                        "number of the frame (no time step), N of particles_0000N.vtu; default the last");
     CLI::Option* node = contact->add_option("--node", contact_options.node,
                                             "I,J[,K]: the node, by its numbers along the axes from grid/lower");
     contact->add_option("--near", contact_options.near, "X,Y[,Z]: the nearest contact node, e.g. 0.5mm,1mm")

@@ -46,7 +46,7 @@ void expect_refusal(const Outcome& outcome, int exit_code, const std::vector<std
 TEST(BrokenResults, FolderWithoutResults) {
     const Folder folder;
     folder.write("empty/notes.txt", "x");
-    for (const std::string command : {"render", "plot"}) {
+    for (const std::string command : {"render", "plot", "contact"}) {
         SCOPED_TRACE(command);
         expect_refusal(folder.abut({command, "nowhere"}), 2, {"nowhere: no such folder"});
         expect_refusal(folder.abut({command, "empty/notes.txt"}), 2, {"empty/notes.txt"});

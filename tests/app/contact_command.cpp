@@ -3,12 +3,14 @@
 
 #include "io/results/pvd.h"
 #include "io/results/read_frame.h"
+#include "io/results/write_frame.h"
 #include "results/frame.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <tuple>
 
 namespace abut::app_test {
 namespace {
@@ -56,7 +58,8 @@ TEST_F(ContactCommand, ListsNodesInDisagreement) {
     const Outcome last = contact({});
     EXPECT_EQ(last.exit_code, 0) << last.err;
     EXPECT_THAT(last.out, AllOf(HasSubstr("frame 4, 400 us"), HasSubstr("contact nodes")));
-    const Outcome outcome = contact({"--step", "1"});
+    const Outcome outcome = contact({"--frame", "1"});
+    EXPECT_EQ(contact({"--step", "1"}).out, outcome.out);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("frame 1, 10"), HasSubstr("contact nodes"), HasSubstr("block / ball"),
@@ -128,6 +131,49 @@ TEST_F(ContactCommand, FindsWhatTheRunRecorded) {
         }
 }
 
+TEST_F(ContactCommand, FoldersThatCannotBeMade) {
+    folder()->write("afile", "mine");
+    for (const auto& [target, exit_code, message] :
+         {std::tuple{"afile", 2, "abut: afile: is a file; a folder is needed (-o)\n"},
+          {"/dev/full", 2, "abut: /dev/full: is a file; a folder is needed (-o)\n"},
+          {"afile/below", 1, "abut: afile/below: Not a directory\n"},
+          {"/proc/none", 1, "abut: /proc/none: No such file or directory\n"}}) {
+        const Outcome outcome = contact({"--near", "6mm,4mm", "-o", target});
+        EXPECT_EQ(outcome.exit_code, exit_code) << target;
+        EXPECT_EQ(outcome.out, "") << target;
+        EXPECT_EQ(outcome.err, message);
+    }
+    EXPECT_EQ(folder()->read("afile"), "mine");
+}
+
+/// Places are all in the unit of the grid, here 12 mm wide.
+TEST_F(ContactCommand, PlacesAreInOneUnit) {
+    for (const char* frame : {"0", "2", "4"}) {
+        std::size_t rows = 0;
+        for (const std::string& line : lines(contact({"--frame", frame}).out))
+            if (line.find(" / ") != std::string::npos) {
+                EXPECT_THAT(line, HasSubstr(" mm ")) << frame;
+                ++rows;
+            }
+        EXPECT_GT(rows, 2U) << frame;
+    }
+}
+
+TEST_F(ContactCommand, DamagedFrameIsNamed) {
+    namespace fs = std::filesystem;
+    const Folder other;
+    fs::copy(*folder() / "r", other / "r", fs::copy_options::recursive);
+    PointFrame frame = read_points(other / "r/particles/particles_00003.vtu");
+    frame.points[3 * 7] = 1e3; // m
+    write_particles(other / "r/particles/particles_00003.vtu", frame);
+    const Outcome outcome = other.abut({"contact", "r", "--step", "3"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(lines(outcome.err),
+                testing::ElementsAre(testing::StartsWith("abut: r/particles/particles_00003.vtu: damaged, or of a run "
+                                                         "that had diverged: ")));
+}
+
 TEST_F(ContactCommand, RecordingChangesNothingElse) {
     folder()->write("plain.json", small_scene().dump());
     ASSERT_EQ(folder()->abut({"run", "plain.json", "-o", "plain"}).exit_code, 0);
@@ -146,10 +192,10 @@ TEST_F(ContactCommand, RefusesWhatIsNotThere) {
         EXPECT_EQ(outcome.exit_code, 2) << message;
         EXPECT_THAT(outcome.err, AllOf(testing::StartsWith("abut: "), HasSubstr(message)));
     };
-    expect_error({"contact", "nowhere"}, "\"nowhere\" is not a result folder");
-    expect_error({"contact", "empty"}, "\"empty\" is not a result folder");
-    expect_error({"contact", "half"}, "\"half\" has no particles.pvd");
-    expect_error({"contact", "r", "--step", "5"}, "--step 5: there is no such frame; there are 0 to 4");
+    expect_error({"contact", "nowhere"}, "nowhere: no such folder");
+    expect_error({"contact", "empty"}, "empty: no scene.json");
+    expect_error({"contact", "half"}, "half: no particles.pvd");
+    expect_error({"contact", "r", "--step", "5"}, "no frame 5; there are 0 to 4");
     expect_error({"contact", "r", "--step", "-1"}, "there are 0 to 4");
     expect_error({"contact", "r", "--node", "6"}, "--node 6: 2 values are needed");
     expect_error({"contact", "r", "--node", "6,4,1"}, "2 values are needed");
@@ -181,7 +227,35 @@ TEST(ContactCommandOn, ResultsThatCannotTell) {
     };
     expect_error(R"({"contact": null})", "the scene has no \"contact\"");
     expect_error(R"({"contact": {"law": {"type": "perfect", "coefficient": null}}})", "perfect");
-    expect_error(R"({"output": {"particles": false}})", "has no particles.pvd");
+    expect_error(R"({"output": {"particles": false}})", ": no particles.pvd");
+}
+
+/// Particles in single precision tell less than the run knew when it recorded.
+TEST(ContactCommandOn, SinglePrecisionLeavesWhatWasRecorded) {
+    const Folder folder;
+    folder.write("s.json", small_scene({R"({"output": {"precision": "single",
+                                                       "contact_clouds": {"near": [["6 mm", "4 mm"]]}}})"})
+                               .dump());
+    ASSERT_EQ(folder.abut({"run", "s.json", "-o", "r"}).exit_code, 0);
+    const std::string recorded = folder.read("r/clouds/node_00004_6_4.csv");
+    const Outcome refused = folder.abut({"contact", "r", "--near", "6mm,4mm"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("single precision"), HasSubstr("-o")));
+    EXPECT_EQ(folder.read("r/clouds/node_00004_6_4.csv"), recorded);
+    EXPECT_EQ(folder.abut({"contact", "r"}).exit_code, 0);
+    EXPECT_EQ(folder.abut({"contact", "r", "--near", "6mm,4mm", "-o", "other"}).exit_code, 0);
+    EXPECT_NE(folder.read("other/node_00004_6_4.csv"), recorded);
+}
+
+TEST(ContactCommandOn, SceneWithoutSeparations) {
+    const Folder folder;
+    folder.write("s.json", small_scene({R"({"contact": {"separation": "none"}})"}).dump());
+    ASSERT_EQ(folder.abut({"run", "s.json", "-o", "r"}).exit_code, 0);
+    const Outcome list = folder.abut({"contact", "r"});
+    EXPECT_EQ(list.exit_code, 0) << list.err;
+    EXPECT_THAT(list.out, AllOf(HasSubstr(" contact nodes, all taken as in contact (separation \"none\")"),
+                                HasSubstr("block / ball"), Not(HasSubstr("nearer")), Not(HasSubstr("inf"))));
 }
 
 TEST(ContactCommandOn, BodiesFarApart) {
