@@ -78,7 +78,7 @@ int expect_whole_results(const fs::path& results) {
         }
         if (extension != ".pvd") continue;
         for (const PvdEntry& frame : read_pvd(file).entries)
-            EXPECT_TRUE(fs::is_regular_file(results / frame.file)) << frame.file;
+            EXPECT_TRUE(fs::is_regular_file(file.parent_path() / frame.file)) << file << ": " << frame.file;
     }
     return files;
 }
@@ -108,6 +108,24 @@ TEST(FullDisk, RunLeavesWholeFiles) {
     EXPECT_GT(most, 15);
     const SmallDisk disk(folder / "disk", 20000);
     EXPECT_EQ(folder.abut({"run", "scene.json", "-o", "disk/results", "--quiet"}).exit_code, 0);
+}
+
+TEST(FullDisk, RecordedContactNodesAreWhole) {
+    const Folder folder;
+    folder.write("scene.json", small_scene({R"({"output": {"every": "20 us", "particles": false, "grid": false,
+        "contact_clouds": {"near": [["6 mm", "4 mm"]], "disagreement": "5 deg"}}})"})
+                                   .dump());
+    std::size_t clouds = 0;
+    for (const int kilobytes : {40, 60, 80, 100, 130, 160, 200}) {
+        SCOPED_TRACE(std::to_string(kilobytes) + " kB");
+        const SmallDisk disk(folder / "disk", kilobytes);
+        if (!disk.cause().empty()) GTEST_SKIP() << "no tmpfs can be mounted: " << disk.cause();
+        expect_full_disk(folder.abut({"run", "scene.json", "-o", "disk/results", "--quiet"}), "disk/results");
+        expect_whole_results(folder / "disk/results");
+        const fs::path series = folder / "disk/results/clouds/cloud_near_0.pvd";
+        if (fs::exists(series)) clouds += read_pvd(series).entries.size();
+    }
+    EXPECT_GT(clouds, 3U);
 }
 
 TEST(FullDisk, RunWithFilesThatMayNotGrowLeavesWholeFiles) {
