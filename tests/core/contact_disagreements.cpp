@@ -82,6 +82,9 @@ TEST(Disagreements, AreThoseOfTheRowsSideBySide) {
 TEST(Disagreements, AreOfPointsWhoseForcesAct) {
     State<2> state =
         random_bodies<2>(NormalMethod::logistic_regression, SeparationMethod::particle_edges, ThreeOrMore::up_to_two);
+    const Vec<2> together[] = {{0.3, 0.1}, {-0.3, 0.1}, {0, -0.4}};
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        state.particles.velocity[p] = together[state.particles.body[p]];
     std::size_t lumped = 0, pairs = 0, compared = 0;
     int steps = 0;
     run(state, 1, [&] {
