@@ -146,19 +146,6 @@ TEST_F(ContactCommand, FoldersThatCannotBeMade) {
     EXPECT_EQ(folder()->read("afile"), "mine");
 }
 
-/// Places are all in the unit of the grid, here 12 mm wide.
-TEST_F(ContactCommand, PlacesAreInOneUnit) {
-    for (const char* frame : {"0", "2", "4"}) {
-        std::size_t rows = 0;
-        for (const std::string& line : lines(contact({"--frame", frame}).out))
-            if (line.find(" / ") != std::string::npos) {
-                EXPECT_THAT(line, HasSubstr(" mm ")) << frame;
-                ++rows;
-            }
-        EXPECT_GT(rows, 2U) << frame;
-    }
-}
-
 TEST_F(ContactCommand, DamagedFrameIsNamed) {
     namespace fs = std::filesystem;
     const Folder other;
@@ -256,6 +243,29 @@ TEST(ContactCommandOn, SceneWithoutSeparations) {
     EXPECT_EQ(list.exit_code, 0) << list.err;
     EXPECT_THAT(list.out, AllOf(HasSubstr(" contact nodes, all taken as in contact (separation \"none\")"),
                                 HasSubstr("block / ball"), Not(HasSubstr("nearer")), Not(HasSubstr("inf"))));
+}
+
+/// All places are in the unit of the grid, here 12 mm wide, those near its origin too.
+TEST(ContactCommandOn, PlacesNearTheOrigin) {
+    const Folder folder;
+    folder.write("s.json", small_scene({R"({"grid": {"lower": ["-6 mm", "-6 mm"], "upper": ["6 mm", "6 mm"]},
+        "bodies": [
+        {"name": "a", "material": "rubber", "box": {"lower": ["-0.5 mm", "-1 mm"], "upper": ["0.5 mm", 0]}},
+        {"name": "b", "material": "rubber", "box": {"lower": [0, 0], "upper": ["1 mm", "1 mm"]}}],
+        "boundaries": [], "time": {"end": "1 us"}, "output": {"every": 0}})"})
+                               .dump());
+    ASSERT_EQ(folder.abut({"run", "s.json", "-o", "r"}).exit_code, 0);
+    const std::string list = folder.abut({"contact", "r"}).out;
+    EXPECT_THAT(list, HasSubstr("  6,6          0.0000, 0.0000 mm "));
+    std::size_t rows = 0;
+    for (const std::string& line : lines(list))
+        if (line.find("a / b") != std::string::npos) {
+            EXPECT_THAT(line, HasSubstr(" mm "));
+            ++rows;
+        }
+    EXPECT_GT(rows, 1U);
+    EXPECT_THAT(folder.abut({"contact", "r", "--near", "0,0", "-o", "x"}).out,
+                HasSubstr("node 6,6 at 0.0000, 0.0000 mm"));
 }
 
 TEST(ContactCommandOn, BodiesFarApart) {

@@ -65,7 +65,7 @@ int expect_whole_results(const fs::path& results) {
             const std::string text = Folder().read(file.string());
             EXPECT_TRUE(text.empty() || text.back() == '\n') << file << " ends with " << text.substr(text.rfind('\n'));
             if (!text.empty()) {
-                EXPECT_NO_THROW(read_csv(file, {"body", "body_a", "body_b"})) << file;
+                EXPECT_NO_THROW(read_csv(file, {"body", "body_a", "body_b", "method"})) << file;
             }
         } else if (extension == ".png") {
             vtkNew<vtkPNGReader> reader;
