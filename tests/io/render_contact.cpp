@@ -183,6 +183,8 @@ TEST(RenderPresets, MissingAndCutFilesStopBeforeAnythingIsWritten) {
     for (int i = 0; i < 3; ++i) series.append(i, "p" + std::to_string(i) + ".vtu");
     fs::resize_file(folder / "p2.vtu", fs::file_size(folder / "p2.vtu") - 5);
     EXPECT_THAT(error_of([&] { render_series(results, {}); }), HasSubstr("p2.vtu: cannot read: the file is cut off"));
+    std::ofstream(folder / "p1.vtu", std::ios::app) << "garbage"; // two writers
+    EXPECT_THAT(error_of([&] { render_series(results, {}); }), HasSubstr("p1.vtu: cannot read: the file is cut off"));
     fs::remove(folder / "p1.vtu");
     EXPECT_THAT(error_of([&] { render_series(results, {}); }), HasSubstr("p1.vtu: cannot read: no such file"));
     EXPECT_FALSE(fs::exists(results / "frames"));
