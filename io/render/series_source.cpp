@@ -40,14 +40,7 @@ const PvdEntry* SeriesSource::contact_entry(int index) const {
 }
 
 PointFrame SeriesSource::contact(int index) const {
-    if (const PvdEntry* entry = contact_entry(index)) return read_points(folder / entry->file);
-    return {series.entries[static_cast<std::size_t>(index)].time,
-            {},
-            {{"normal", 3, std::vector<double>{}},
-             {"separation", 1, std::vector<double>{}},
-             {"in_contact", 1, std::vector<std::int32_t>{}}},
-            {},
-            {}};
+    return read_points(folder / contact_entry(index)->file);
 }
 
 void SeriesSource::check_files(const std::vector<int>& frames) const {
@@ -97,6 +90,7 @@ std::vector<std::string> array_names(const PointFrame& frame) {
 }
 
 std::string no_such(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+    if (known.empty()) return fmt::format("no {} \"{}\": there are none", what, name);
     return fmt::format("no {} \"{}\"{} (there are: {})", what, name, did_you_mean(name, known), fmt::join(known, ", "));
 }
 
