@@ -11,8 +11,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 unpacked=$PWD/build/paraview-python
 modules() { # the folder of the modules, if they are anywhere
     local folder
-    for folder in "${ABUT_PARAVIEW_PYTHON:-}" "$unpacked"/usr/lib/python3/dist-packages /usr/lib/python3/dist-packages \
-        /opt/pvpy/usr/lib/python3/dist-packages; do
+    for folder in "${ABUT_PARAVIEW_PYTHON:-}" "$unpacked"/usr/lib/python3/dist-packages \
+        /usr/lib/python3/dist-packages; do
         if [[ -f $folder/paraview/simple.py ]]; then
             echo "$folder"
             return

@@ -83,6 +83,11 @@ std::vector<fs::path> own_files(const fs::path& folder) {
             if (entry.is_regular_file() && is_frame(entry.path().filename().string(), name))
                 found.push_back(entry.path());
     }
+    if (fs::is_directory(folder / "frames")) // pictures of these results, by `abut render`
+        for (const auto& entry : fs::recursive_directory_iterator(folder / "frames"))
+            if (const std::string name = entry.path().filename().string();
+                entry.is_regular_file() && name.starts_with("frame_") && name.ends_with(".png"))
+                found.push_back(entry.path());
     if (fs::is_directory(folder / "clouds"))
         for (const auto& entry : fs::directory_iterator(folder / "clouds"))
             if (entry.is_regular_file() && is_cloud_file(entry.path().filename().string()))

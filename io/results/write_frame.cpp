@@ -130,8 +130,8 @@ void set_points(vtkPointSet& data, const std::vector<double>& coordinates, Reals
     data.SetPoints(points);
 }
 
-void fill(vtkPointSet& data, const PointFrame& frame, Reals reals) {
-    set_points(data, frame.points, reals);
+void fill(vtkPointSet& data, const PointFrame& frame, Reals points, Reals reals) {
+    set_points(data, frame.points, points);
     add_arrays(*data.GetPointData(), frame.arrays, frame.points.size() / 3, "points", reals);
     add_globals(data, frame);
 }
@@ -173,14 +173,14 @@ void write(const std::filesystem::path& path, vtkDataSet& data) {
 
 void write_particles(const std::filesystem::path& path, const PointFrame& frame, Reals reals) {
     vtkNew<vtkUnstructuredGrid> data;
-    fill(*data, frame, reals);
+    fill(*data, frame, reals, reals);
     data->SetCells(VTK_VERTEX, vertices(frame.points.size() / 3));
     write<vtkXMLUnstructuredGridWriter>(path, *data);
 }
 
 void write_contact(const std::filesystem::path& path, const PointFrame& frame, Reals reals) {
     vtkNew<vtkPolyData> data;
-    fill(*data, frame, reals);
+    fill(*data, frame, Reals::float64, reals);
     data->SetVerts(vertices(frame.points.size() / 3));
     write<vtkXMLPolyDataWriter>(path, *data);
 }

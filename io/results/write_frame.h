@@ -9,7 +9,8 @@
 
 namespace abut {
 
-/// How reals are written: points and arrays, but not the time and other field data.
+/// How reals are written: arrays and places of particles, but not places of contact nodes, the time and other field
+/// data.
 enum class Reals { float64, float32 };
 
 /// Writes particles as a .vtu file, one VTK_VERTEX each. The file appears complete or not at all.

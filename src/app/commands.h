@@ -83,8 +83,6 @@ struct PackOptions {
 
 /// Refuses a scene that only shows to be wrong once its particles are there: SceneError with the problems of
 /// check_state() (see step/check_state.h).
-struct Scene;
-
 template <int D>
 void check_start(State<D>& state, const std::filesystem::path& scene);
 

@@ -79,7 +79,6 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
 
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
-    std::signal(SIGXFSZ, SIG_IGN); // a file over the limit (ulimit -f) is then reported as a write that failed
     std::vector<Task<D>> tasks = step_tasks<D>(loaded.scene);
     RunFiles files(folder, loaded.resolved, state);
     Progress progress(options.quiet ? ProgressMode::quiet : ProgressMode::automatic, end);

@@ -69,11 +69,11 @@ RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resol
     if (output.single_precision) reals_ = Reals::float32;
     if (state.effects.contact && output.pairs)
         pairs_.emplace(folder / "pairs.csv", with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns()));
-    live_times_ = make_series(folder, "live", output.particles, output, bodies);
-    live_times_.wanted = output.live;
-    if (output.live)
+    if (output.live) {
+        live_schedule_ = Schedule(output.particles.every.value_or(output.every));
         live_.emplace(folder / "live.png", Bounds{state.scene.grid.lower, state.scene.grid.upper}, state.scene.title,
                       output.live_preset, state.scene.time.end);
+    }
 }
 
 template <int D>
@@ -107,12 +107,13 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
     const bool of_particles = gets_frame(particles(), state.time, which);
     const bool of_grid = gets_frame(grid(), state.time, which);
     const bool of_contact = gets_frame(contact(), state.time, which);
-    const bool of_live = gets_frame(live_times_, state.time, which);
+    const bool live_due = live_schedule_.due(state.time);
+    const bool of_live = live_ && (live_due || (which == Frames::last && live_time_ != state.time));
     if (!of_particles && !of_grid && !of_contact && !of_live) return false;
     look(state);
+    interpenetration_.reset();
     if (of_particles) {
         PointFrame frame = particle_frame(state, particles().choice);
-        interpenetration_.reset();
         if constexpr (D == 2)
             if (state.effects.contact) {
                 interpenetration_ = abut::interpenetration(state.particles).fraction();
@@ -122,7 +123,7 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
     }
     if (of_live) {
         draw_live(*live_, state);
-        live_times_.last_time = state.time;
+        live_time_ = state.time;
     }
     if (of_grid) write_to_series(grid(), "vti", grid_frame(state, grid().choice), reals_, write_grid);
     if (of_contact) write_to_series(contact(), "vtp", contact_frame(state, contact().choice), reals_, write_contact);

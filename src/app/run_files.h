@@ -42,8 +42,8 @@ public:
     /// A frame of each series that gets one, and all.pvd. \return false if none got one
     template <int D>
     bool write_frames(State<D>& state, Frames which);
-    /// The interpenetration of bodies in the last frame of particles, as a fraction of their area; nothing without
-    /// contact and in 3D, where it isn't measured.
+    /// The interpenetration of bodies in the frame of particles just written, if one was, as a fraction of their area;
+    /// nothing without contact and in 3D, where it isn't measured.
     std::optional<double> interpenetration() const { return interpenetration_; }
     /// The particles of a state that has gone wrong, as particles/failed.vtu.
     template <int D>
@@ -62,7 +62,8 @@ private:
     std::array<RunSeries, 3> series_;
     std::optional<double> interpenetration_;
     std::optional<LivePicture> live_; ///< scenes that want one
-    RunSeries live_times_;            ///< when it is drawn: as the particles would be written
+    Schedule live_schedule_;          ///< when it is drawn: as the particles would be written
+    double live_time_ = -1;           ///< of the last one [s]
     double last_history_ = 0;         ///< time of the last row
 };
 

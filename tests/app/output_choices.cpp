@@ -43,14 +43,16 @@ TEST(OutputChoices, EachSeriesMayHaveItsOwnCadence) {
 TEST(OutputChoices, ACadenceChangesNothingInTheRun) {
     const Folder folder;
     ASSERT_EQ(run(folder, "{}").exit_code, 0);
-    const std::string history = folder.read("r/history.csv");
+    std::map<std::string, std::string> tables;
+    for (const char* name : {"r/history.csv", "r/bodies.csv", "r/pairs.csv"}) tables[name] = folder.read(name);
     ASSERT_EQ(run(folder, R"({"grid_every": "0.03 ms", "contact_every": "7 us", "precision": "single",
-                              "particle_arrays": ["id"]})")
+                              "particle_arrays": ["id"], "live": true, "live_preset": "contact"})")
                   .exit_code,
               2)
         << "the folder holds results";
     ASSERT_EQ(folder.abut({"run", "scene.json", "-o", "r", "--quiet", "--overwrite"}).exit_code, 0);
-    EXPECT_EQ(folder.read("r/history.csv"), history);
+    EXPECT_TRUE(std::filesystem::exists(folder / "r/live.png"));
+    for (const auto& [name, text] : tables) EXPECT_TRUE(folder.read(name) == text) << name;
 }
 
 TEST(OutputChoices, ArraysAndBodies) {
@@ -68,6 +70,27 @@ TEST(OutputChoices, ArraysAndBodies) {
         if (array.name != "body") continue;
         for (const auto body : std::get<1>(array.values)) EXPECT_EQ(names[static_cast<std::size_t>(body)], "ball");
     }
+}
+
+/// Frames of contact pairs come four times as often; the interpenetration is measured with those of particles only.
+TEST(OutputChoices, ProgressTellsTheInterpenetrationOfItsOwnFrame) {
+    const Folder folder;
+    folder.write("scene.json", small_scene({R"({"output": {"contact_every": "25 us"}})"}).dump());
+    const Outcome outcome = folder.abut({"run", "scene.json", "-o", "r"});
+    ASSERT_EQ(outcome.exit_code, 0);
+    std::size_t notes = 0;
+    for (const std::string& line : lines(outcome.err)) notes += line.find("interpenetration") != std::string::npos;
+    EXPECT_EQ(notes, read_pvd(folder / "r/particles.pvd").entries.size());
+}
+
+TEST(OutputChoices, OverwriteRemovesThePicturesOfTheResultsBefore) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, "{}").exit_code, 0);
+    folder.write("r/frames/stress/frame_00004.png", "a picture");
+    folder.write("r/frames/stress/mine.png", "another");
+    ASSERT_EQ(folder.abut({"run", "scene.json", "-o", "r", "--quiet", "--overwrite"}).exit_code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "r/frames/stress/frame_00004.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "r/frames/stress/mine.png"));
 }
 
 TEST(OutputChoices, FramesTellStepAndUnits) {

@@ -291,6 +291,8 @@ TEST(WriteFrame, SinglePrecisionRoundsTheRealsToTheNearestFloat) {
                   VTK_FLOAT);
     expect_values(data->GetPointData()->GetArray("body"), std::get<1>(frame.arrays[1].values), 1, VTK_INT);
     expect_values(data->GetFieldData()->GetArray("TimeValue"), std::vector<double>{frame.time}, 1, VTK_DOUBLE);
+    write_contact(folder / "c.vtp", frame, Reals::float32);
+    EXPECT_EQ(read<vtkXMLPolyDataReader>(folder / "c.vtp")->GetPoints()->GetDataType(), VTK_DOUBLE) << "nodes";
     write_particles(folder / "q.vtu", frame);
     EXPECT_LT(std::filesystem::file_size(folder / "p.vtu"), std::filesystem::file_size(folder / "q.vtu"));
 }
