@@ -1,16 +1,15 @@
 #include "io/results/write_frame.h"
 
 #include "io/results/output_file.h"
+#include "io/results/vtk_end.h"
 #include "io/results/vtk_messages.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <numeric>
 #include <stdexcept>
-#include <string_view>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
@@ -175,15 +174,6 @@ vtkSmartPointer<vtkUnstructuredGrid> unstructured(const CellFrame& frame) {
 
 // === Writing
 
-/// A file whose last buffer never reached the disk lacks its end; VTK does not notice that on closing.
-bool is_complete(const std::filesystem::path& path) {
-    constexpr std::string_view end = "</VTKFile>\n";
-    std::string tail(end.size(), ' ');
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
-    return file.read(tail.data(), static_cast<std::streamsize>(tail.size())) && tail == end;
-}
-
 template <class Writer>
 void write(const std::filesystem::path& path, vtkDataSet& data) {
     replace_file(path, [&](const std::filesystem::path& temporary) {
@@ -198,7 +188,7 @@ void write(const std::filesystem::path& path, vtkDataSet& data) {
         errno = 0;
         const bool accepted = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
         const int cause = errno; // VTK calls every failure "out of disk space"; the system knows better
-        if (accepted && is_complete(temporary)) return;
+        if (accepted && has_vtk_end(temporary)) return; // the last buffer may never have reached the disk
         const std::string vtk_cause = messages.first_error();
         throw std::runtime_error(fmt::format("{}: cannot write: {}", path.string(),
                                              cause != 0           ? std::strerror(cause)
