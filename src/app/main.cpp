@@ -50,7 +50,9 @@ void add_render(CLI::App& program, RenderRequest& request, std::vector<double>& 
         ->transform(CLI::Transformer(styles).description(""))
         ->type_name("STYLE")
         ->group(what);
-    render->add_option("--bodies", options.bodies, "NAME,NAME...: only these, and their contacts; also all bodies of one legend entry")
+    render
+        ->add_option("--bodies", options.bodies,
+                     "NAME,NAME...: only these, and their contacts; also all bodies of one legend entry")
         ->delimiter(',')
         ->type_name("NAMES")
         ->group(what);
