@@ -8,7 +8,7 @@
 namespace abut {
 
 /// Throws RenderRequestError unless write_animation can make such a file: .ogv, .apng or .png, 1 to 100 pictures a
-/// second, in a folder that is there.
+/// second, in a folder that is there, under a name that is no folder's.
 void check_animation(const std::filesystem::path& file, int fps);
 
 /// Writes PNG files of one size (8 bits, RGB, as ours are), in their order, as a video (.ogv: Ogg with Theora, lossy)

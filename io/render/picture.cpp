@@ -1,34 +1,26 @@
 #include "io/render/picture.h"
 
-#include "io/render/offscreen_context.h"
-#include "io/results/vtk_messages.h"
-#include "io/results/write_text.h"
+#include "io/render/renderer_png.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkWindowToImageFilter.h>
 
 namespace abut {
 namespace {
@@ -171,7 +163,6 @@ double text_width(const std::string& text, double size, bool bold) {
 }
 
 void write_png(OffscreenContext& context, const Picture& picture, const std::filesystem::path& path) {
-    VtkMessages messages;
     vtkNew<vtkRenderer> renderer;
     renderer->SetBackground(1, 1, 1);
     const double front = front_of(picture);
@@ -181,28 +172,7 @@ void write_png(OffscreenContext& context, const Picture& picture, const std::fil
     for (const Label& label : picture.labels) renderer->AddViewProp(actor_of(label));
     look_at_pixels(*renderer, picture);
 
-    vtkRenderWindow& window = context.window();
-    window.SetDPI(dots_per_inch);
-    window.SetSize(picture.width, picture.height);
-    window.SetMultiSamples(4);
-    window.AddRenderer(renderer);
-    vtkNew<vtkWindowToImageFilter> image;
-    image->SetInput(&window);
-    image->SetInputBufferTypeToRGB();
-    image->ReadFrontBufferOff();
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetInputConnection(image->GetOutputPort());
-    writer->WriteToMemoryOn();
-    writer->Write();
-    window.RemoveRenderer(renderer);
-
-    vtkUnsignedCharArray* bytes = writer->GetResult();
-    const std::string cause = messages.first_error();
-    if (!cause.empty() || !bytes || bytes->GetNumberOfValues() == 0)
-        throw std::runtime_error(
-            fmt::format("{}: cannot render: {}", path.string(), cause.empty() ? "no picture" : cause));
-    write_text_atomically(path, {reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                                 static_cast<std::size_t>(bytes->GetNumberOfValues())});
+    write_renderer_png(context, *renderer, picture.width, picture.height, 4, path);
 }
 
 } // namespace abut

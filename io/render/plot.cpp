@@ -264,7 +264,7 @@ PlotArea write_plot(OffscreenContext& context, const Plot& plot, const std::file
         actor->GetScene()->AddItem(layer);
         renderer->AddViewProp(actor);
     }
-    write_renderer_png(context, *renderer, plot.width, plot.height, path);
+    write_renderer_png(context, *renderer, plot.width, plot.height, 8, path);
     return area;
 }
 

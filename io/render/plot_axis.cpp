@@ -1,29 +1,31 @@
 #include "io/render/plot_axis.h"
 
+#include "io/render/values.h"
 #include "io/results/si_prefix.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace abut {
 namespace {
 
-struct Range {
-    double lower = std::numeric_limits<double>::infinity();
-    double upper = -std::numeric_limits<double>::infinity();
-    bool empty() const { return lower > upper; }
+/// The ends of a range.
+struct Ends {
+    double lower = 0, upper = 0;
 };
 
-Range range_of(std::span<const std::span<const double>> values, bool positive_only) {
+Range range_of_all(std::span<const std::span<const double>> values, bool positive_only) {
     Range range;
-    for (const std::span<const double> list : values)
-        for (const double value : list) {
-            if (!std::isfinite(value) || (positive_only && value <= 0)) continue;
-            range.lower = std::min(range.lower, value);
-            range.upper = std::max(range.upper, value);
-        }
+    for (const std::span<const double> list : values) {
+        std::vector<double> positive;
+        if (positive_only)
+            std::copy_if(list.begin(), list.end(), std::back_inserter(positive), [](double v) { return v > 0; });
+        range = joined(range, positive_only ? range_of(positive) : range_of(list));
+    }
     return range;
 }
 
@@ -54,17 +56,8 @@ std::string title_of(const std::string& quantity, const std::string& unit) {
     return unit.empty() ? quantity : fmt::format("{} ({})", quantity, unit);
 }
 
-/// The smallest of 1, 2, 5, 10, … that parts `length` into at most `intervals`.
-double nice_step(double length, int intervals) {
-    const double rough = length / intervals;
-    const double power = std::pow(10, std::floor(std::log10(rough)));
-    for (const double digit : {1.0, 2.0, 5.0})
-        if (digit * power >= rough * (1 - 1e-9)) return digit * power;
-    return 10 * power;
-}
-
 void add_linear_ticks(PlotScale& scale, int intervals) {
-    const double step = nice_step(scale.upper - scale.lower, intervals);
+    const double step = round_up_nicely((scale.upper - scale.lower) / intervals);
     // A run that stops just short of a tick shall end at one.
     const double beyond = std::ceil(scale.upper / step) * step;
     if (beyond - scale.upper < 0.02 * (scale.upper - scale.lower)) scale.upper = beyond;
@@ -96,11 +89,10 @@ void add_logarithmic_ticks(PlotScale& scale, int intervals) {
         }
 }
 
-PlotScale logarithmic_scale(const PlotAxis& axis, Range range, const PlotAxisWishes& wishes) {
+PlotScale logarithmic_scale(const PlotAxis& axis, Ends range, const PlotAxisWishes& wishes) {
     PlotScale scale;
     scale.logarithmic = true;
     scale.title = title_of(axis.quantity, axis.unit);
-    if (range.empty()) range = {1, 10};
     scale.lower = std::log10(range.lower);
     scale.upper = std::log10(range.upper);
     // Without two ticks an axis can't be read.
@@ -118,7 +110,7 @@ PlotScale logarithmic_scale(const PlotAxis& axis, Range range, const PlotAxisWis
 }
 
 /// A range with a length, of values in the shown unit.
-Range widened(Range range, bool margin) {
+Ends widened(Ends range, bool margin) {
     const double magnitude = std::max(std::abs(range.lower), std::abs(range.upper));
     const double length = range.upper - range.lower;
     // A constant, but for round-off: in the middle.
@@ -144,14 +136,15 @@ double PlotScale::fraction(double value) const {
 
 PlotScale plot_scale(const PlotAxis& axis, std::span<const std::span<const double>> values,
                      const PlotAxisWishes& wishes) {
-    Range range = range_of(values, axis.logarithmic);
+    const auto [lower, upper] =
+        range_of_all(values, axis.logarithmic).value_or(axis.logarithmic ? std::pair(1.0, 10.0) : std::pair(0.0, 0.0));
+    const Ends range{lower, upper};
     if (axis.logarithmic) return logarithmic_scale(axis, range, wishes);
-    if (range.empty()) range = {0, 0};
     const ShownUnit unit = shown_unit(std::max(std::abs(range.lower), std::abs(range.upper)), axis.unit);
     PlotScale scale;
     scale.factor = unit.factor;
     scale.title = title_of(axis.quantity, unit.name);
-    const Range shown = widened({range.lower / unit.factor, range.upper / unit.factor}, wishes.margin);
+    const Ends shown = widened({range.lower / unit.factor, range.upper / unit.factor}, wishes.margin);
     scale.lower = shown.lower;
     scale.upper = shown.upper;
     add_linear_ticks(scale, wishes.intervals);

@@ -159,6 +159,7 @@ void draw_history(Figures& figures, const fs::path& results, const PlotOptions& 
     const CsvFile history = open_table(results, "history.csv", {});
     const CsvColumn& across = column_of(history, options.against);
     for (const std::string& name : options.columns) column_of(history, name);
+    if (is_empty(history, figures.outcome.notes)) return;
     if (!options.columns.empty()) return draw_columns(figures, history, across, options.columns);
     draw_energies(figures, history, across);
     draw_beginning(figures, history, across, "stresses.png", "mean_stress_", true);
@@ -193,9 +194,11 @@ PlotOutcome plot_results(const fs::path& result_dir, const PlotOptions& options)
     Figures figures(result_dir, options);
     const bool chosen = !options.columns.empty();
     if (options.pairs)
-        draw_groups(figures, pair_curves(result_dir, options), "pairs-", options.against, 12, chosen);
+        draw_groups(figures, pair_curves(result_dir, options, figures.outcome.notes), "pairs-", options.against, 12,
+                    chosen);
     else if (!options.bodies.empty())
-        draw_groups(figures, body_curves(result_dir, options), "bodies-", options.against, 24, chosen);
+        draw_groups(figures, body_curves(result_dir, options, figures.outcome.notes), "bodies-", options.against, 24,
+                    chosen);
     else
         draw_history(figures, result_dir, options);
     return figures.outcome;

@@ -2,6 +2,7 @@
 
 #include "io/render/plot_columns.h"
 #include "io/render/render_series.h"
+#include "io/render/select.h"
 #include "io/render/series_source.h"
 #include "scene/suggest.h"
 
@@ -44,13 +45,26 @@ std::map<std::string, std::vector<std::size_t>> rows_by(const std::vector<std::s
     return rows;
 }
 
-void check_bodies(const CsvFile& table, const std::vector<std::string>& wanted, const std::vector<std::string>& known) {
-    for (const std::string& name : wanted)
-        if (name != "all" && !has(known, name))
-            throw RenderRequestError(table.path.string() + ": " + no_such("body", name, known));
+/// The bodies that were asked for, each once.
+std::vector<std::string> chosen_bodies(const CsvFile& table, const std::vector<std::string>& wanted,
+                                       const std::vector<std::string>& known) {
+    const bool all = has(wanted, "all") && !has(known, "all");
+    std::vector<std::string> names = wanted;
+    if (all) std::erase(names, "all");
+    const std::vector<std::string> bodies = bodies_named(names, known, table.path.string());
+    return all ? known : bodies;
+}
+
+bool shows_anything(const CsvColumn& column) {
+    return std::any_of(column.numbers.begin(), column.numbers.end(), [](double value) { return value != 0; });
 }
 
 } // namespace
+
+bool is_empty(const CsvFile& table, std::vector<std::string>& notes) {
+    if (table.rows == 0) notes.push_back(table.path.string() + ": the table has no rows yet");
+    return table.rows == 0;
+}
 
 CsvFile open_table(const std::filesystem::path& results, const std::string& name,
                    const std::vector<std::string>& words) {
@@ -69,19 +83,23 @@ const CsvColumn& column_of(const CsvFile& table, const std::string& name) {
     return *table.find(name);
 }
 
-CurveGroups body_curves(const std::filesystem::path& results, const PlotOptions& options) {
+CurveGroups body_curves(const std::filesystem::path& results, const PlotOptions& options,
+                        std::vector<std::string>& notes) {
     const CsvFile table = open_table(results, "bodies.csv", {"body"});
     const CsvColumn* const of_body = table.find("body");
     if (!of_body) throw std::runtime_error(table.path.string() + ": cannot read: no column \"body\"");
     const std::vector<std::string> all = distinct(of_body->words);
-    check_bodies(table, options.bodies, all);
-    const std::vector<std::string> bodies =
-        has(options.bodies, "all") && !has(all, "all") ? all : distinct(options.bodies);
+    if (is_empty(table, notes)) return {};
+    const std::vector<std::string> bodies = chosen_bodies(table, options.bodies, all);
 
     std::vector<std::string> columns = options.columns;
     if (columns.empty())
-        for (const char* name : {"x", "y", "vx", "vy", "kinetic_energy", "strain_energy", "angular_velocity_z"})
-            if (table.find(name)) columns.emplace_back(name);
+        for (const std::string name :
+             {"x", "y", "z", "vx", "vy", "vz", "kinetic_energy", "strain_energy", "angular_velocity_z"}) {
+            const CsvColumn* const column = table.find(name);
+            const bool of_space = name == "z" || name == "vz"; // zero in plane scenes
+            if (column && (!of_space || shows_anything(*column))) columns.push_back(name);
+        }
     const std::vector<double> across = values_of(column_of(table, options.against));
     const auto rows = rows_by(of_body->words);
     CurveGroups groups;
@@ -129,18 +147,20 @@ std::map<double, double> axis_of_steps(const std::filesystem::path& results, con
 
 } // namespace
 
-CurveGroups pair_curves(const std::filesystem::path& results, const PlotOptions& options) {
+CurveGroups pair_curves(const std::filesystem::path& results, const PlotOptions& options,
+                        std::vector<std::string>& notes) {
     CsvFile table = open_table(results, "pairs.csv", {"body_a", "body_b"});
     const CsvColumn *const a = table.find("body_a"), *const b = table.find("body_b");
     if (!a || !b) throw std::runtime_error(table.path.string() + ": cannot read: no columns \"body_a\" and \"body_b\"");
     std::vector<std::string> both = a->words, of_row;
     both.insert(both.end(), b->words.begin(), b->words.end());
-    if (!options.bodies.empty()) check_bodies(table, options.bodies, distinct(both));
-    const bool all = options.bodies.empty() || has(options.bodies, "all");
+    if (is_empty(table, notes)) return {};
+    const std::vector<std::string> bodies =
+        options.bodies.empty() ? distinct(both) : chosen_bodies(table, options.bodies, distinct(both));
     std::vector<std::string> pairs;
     for (std::size_t i = 0; i < table.rows; ++i) {
         of_row.push_back(a->words[i] + " - " + b->words[i]);
-        if ((all || has(options.bodies, a->words[i]) || has(options.bodies, b->words[i])) && !has(pairs, of_row.back()))
+        if ((has(bodies, a->words[i]) || has(bodies, b->words[i])) && !has(pairs, of_row.back()))
             pairs.push_back(of_row.back());
     }
     const auto rows = rows_by(of_row);

@@ -21,6 +21,9 @@ CsvFile open_table(const std::filesystem::path& results, const std::string& name
 /// The column of numbers of that name.
 const CsvColumn& column_of(const CsvFile& table, const std::string& name);
 
+/// Whether the table has no rows, as a run leaves it at its start; a note says so then.
+bool is_empty(const CsvFile& table, std::vector<std::string>& notes);
+
 /// One column with a curve for each body or pair.
 struct CurveGroup {
     std::string column;
@@ -28,12 +31,16 @@ struct CurveGroup {
 };
 using CurveGroups = std::vector<CurveGroup>;
 
-/// The columns of bodies.csv for the bodies asked for.
-CurveGroups body_curves(const std::filesystem::path& results, const PlotOptions& options);
+/// The columns of bodies.csv for the bodies asked for; those of space only where they show anything. None of an empty
+/// table.
+CurveGroups body_curves(const std::filesystem::path& results, const PlotOptions& options,
+                        std::vector<std::string>& notes);
 
 /// The columns of pairs.csv, and "force", the magnitude of the force. Without a row a pair is not in contact: force and
 /// area are zero then. Works are added up from the start.
-CurveGroups pair_curves(const std::filesystem::path& results, const PlotOptions& options);
+/// None of an empty table.
+CurveGroups pair_curves(const std::filesystem::path& results, const PlotOptions& options,
+                        std::vector<std::string>& notes);
 
 /// Keeps the `most` curves with the highest peaks, in their order; a note says if some were left out.
 void keep_largest(std::vector<PlotCurve>& curves, std::size_t most, std::vector<std::string>& notes,

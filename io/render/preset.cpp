@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -37,8 +38,9 @@ std::string lacking(const PointFrame& frame, const RenderOptions& options) {
     for (const Preset& preset : presets)
         if (preset.arrows == Arrows::none && find_array(frame, preset.array)) drawable.emplace_back(preset.name);
     const std::string there_is =
-        drawable.empty() ? fmt::format("no preset, but --array with one of {}", fmt::join(array_names(frame), ", "))
-                         : fmt::format("{}", fmt::join(drawable, ", "));
+        frame.arrays.empty() ? "nothing, since the files have no arrays"
+        : drawable.empty()   ? fmt::format("no preset, but --array with one of {}", fmt::join(array_names(frame), ", "))
+                             : fmt::format("{}", fmt::join(drawable, ", "));
     for (const ArrayInfo& info : particle_arrays())
         if (info.name == options.array && !info.only.empty())
             return fmt::format("this scene has no {}; what can be drawn: {}", options.array, there_is);
@@ -57,6 +59,10 @@ void check(const RenderOptions& options) {
                                              *options.percentile));
     if (options.percentile && options.range)
         throw RenderRequestError("the colours have either a range or a percentile, not both");
+    if (options.range && !std::isfinite(options.range->second - options.range->first))
+        throw RenderRequestError(fmt::format("the ends of the range of colours must be finite and not too far apart, "
+                                             "not {} and {}",
+                                             options.range->first, options.range->second));
     if (options.range && !(options.range->first < options.range->second))
         throw RenderRequestError(fmt::format("the range of colours must rise, not go from {} to {}",
                                              options.range->first, options.range->second));
@@ -64,6 +70,8 @@ void check(const RenderOptions& options) {
     if (!region.empty() && region.size() != 4 && region.size() != 6)
         throw RenderRequestError(
             fmt::format("a region has 4 numbers, X0,Y0,X1,Y1, or in 3D 6, X0,Y0,Z0,X1,Y1,Z1; not {}", region.size()));
+    if (!std::all_of(region.begin(), region.end(), [](double number) { return std::isfinite(number); }))
+        throw RenderRequestError("the numbers of a region must be finite");
     for (std::size_t k = 0; k < region.size() / 2; ++k)
         if (!(region[k] < region[k + region.size() / 2]))
             throw RenderRequestError(fmt::format("the region is empty along {}: from {} m to {} m", "xyz"[k], region[k],
@@ -105,6 +113,17 @@ const Array& chosen_array(const PointFrame& frame, const RenderOptions& options,
         throw RenderRequestError(fmt::format("{}: array \"{}\" has components 0 to {}, not {}", where, options.array,
                                              array->components - 1, options.component));
     return *array;
+}
+
+void check_contact_arrays(const PointFrame& contact, const RenderOptions& options, const std::string& where) {
+    std::vector<const char*> needed{"normal", "in_contact"};
+    if (options.separations) needed.push_back("separation");
+    if (!options.bodies.empty()) needed.insert(needed.end(), {"body_a", "body_b"});
+    for (const char* name : needed)
+        if (!find_array(contact, name))
+            throw RenderRequestError(fmt::format("{}: its files lack the array \"{}\", which these pictures need (see "
+                                                 "contact_arrays of the scene's output)",
+                                                 where, name));
 }
 
 bool by_body(const RenderOptions& options) {

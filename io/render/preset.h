@@ -13,6 +13,9 @@ RenderOptions resolved(RenderOptions options);
 /// or its component. \param where for messages
 const Array& chosen_array(const PointFrame& frame, const RenderOptions& options, const std::string& where);
 
+/// Throws RenderRequestError, naming the array and `where`, if the contact pairs lack one that the pictures need.
+void check_contact_arrays(const PointFrame& contact, const RenderOptions& options, const std::string& where);
+
 /// Whether particles have the colours of their bodies.
 bool by_body(const RenderOptions& options);
 

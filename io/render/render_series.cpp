@@ -57,23 +57,63 @@ std::vector<int> chosen_frames(const RenderOptions& options, const PvdSeries& se
     return all;
 }
 
+/// Frames for which contact.pvd has one too: contact pairs may be written at other times than particles.
+void keep_frames_with_contact(Job& job) {
+    if (!job.source.contacts) return;
+    const std::string path = job.source.contacts->path.string();
+    const bool asked_for = job.options.frames || job.options.last_only;
+    const std::size_t all = job.frames.size();
+    std::erase_if(job.frames, [&](int index) {
+        if (job.source.contact_entry(index)) return false;
+        if (asked_for)
+            throw RenderRequestError(fmt::format("frame {}: {} has no frame at its time (contact_every)", index, path));
+        return true;
+    });
+    if (job.frames.empty())
+        throw RenderRequestError(path + ": it has no frame at any time of the particles' (contact_every)");
+    if (job.frames.size() < all && job.options.note)
+        job.options.note(fmt::format("{} of {} frames are not drawn: {} has no frame at their times (contact_every)",
+                                     all - job.frames.size(), all, path));
+}
+
+/// Of the pictures' folder.
+std::string default_name(const RenderOptions& options) {
+    if (!options.preset.empty()) return options.preset;
+    if (!by_body(options)) return options.array;
+    return options.separations ? "contact" : options.normals ? "normals" : "bodies";
+}
+
+void check_animation_place(const RenderOptions& options, const std::vector<std::filesystem::path>& pictures) {
+    const auto place = [](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+    };
+    const std::filesystem::path animation = place(options.animation);
+    for (const std::filesystem::path& picture : pictures)
+        if (place(picture) == animation)
+            throw RenderRequestError(options.animation.string() + ": the animation would replace one of the pictures");
+}
+
 /// Chooses what is drawn, and the look, from the first frame; from all where the range of values or the bounds need it.
 void prepare(Job& job) {
     const RenderOptions& options = job.options;
     const std::string where = job.source.series.path.string();
     const PointFrame first = job.source.particles(job.frames.front(), {});
     chosen_array(first, options, where);
+    if (job.source.contacts)
+        check_contact_arrays(job.source.contact(job.frames.front()), options, job.source.contacts->path.string());
     if (!options.bodies.empty()) job.selection.bodies = body_numbers(first, options.bodies, where);
 
     // A box of space that is mostly empty would leave little of the picture to the bodies: there the picture shows the
     // box that they need, in the plane that of the grid.
     const bool in_space = is_in_space(first);
+    const std::optional<Bounds> grid = job.source.grid_bounds();
     std::optional<Bounds> bounds;
-    if (!in_space) bounds = job.source.grid_bounds();
+    if (!in_space) bounds = grid;
     if (!options.region.empty()) {
         Bounds whole = bounds ? *bounds : nothing();
         if (!bounds) extend(whole, first, in_space);
         bounds = job.selection.region = region_of(options.region, whole.flat());
+        check_region(*bounds, grid ? *grid : whole, grid.has_value());
     }
     ShownValues values;
     const bool wants_values = !options.range && (!by_body(options) || options.separations);
@@ -138,16 +178,17 @@ std::vector<std::filesystem::path> render_series(const std::filesystem::path& re
     job.source = open_series(result_dir, with_contact(options));
     job.frames = chosen_frames(options, job.source.series);
     if (job.frames.empty()) return {};
+    keep_frames_with_contact(job);
     job.source.check_files(job.frames);
     prepare(job);
 
-    const auto name = options.preset.empty() ? options.array : options.preset;
-    const auto folder = options.output.empty() ? result_dir / "frames" / name : options.output;
+    const auto folder = options.output.empty() ? result_dir / "frames" / default_name(options) : options.output;
+    std::vector<std::filesystem::path> files;
+    for (const int index : job.frames) files.push_back(folder / fmt::format("frame_{:05}.png", index));
+    if (!options.animation.empty()) check_animation_place(options, files);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw std::runtime_error(fmt::format("{}: {}", folder.string(), error.message()));
-    std::vector<std::filesystem::path> files;
-    for (const int index : job.frames) files.push_back(folder / fmt::format("frame_{:05}.png", index));
 
     const int total = static_cast<int>(files.size());
     std::unique_ptr<OffscreenContext> context; // of the process that draws

@@ -38,11 +38,13 @@ struct RenderOptions {
     std::vector<std::string> bodies; ///< to draw; default all. Contact pairs of which a body is drawn are, too
     std::optional<std::vector<int>> frames; ///< which frames of the series, from 0; default all
     bool last_only = false;                 ///< only the last frame
-    std::filesystem::path output;           ///< folder of the pictures; default RESULTS/frames/<preset or array>
-    std::filesystem::path animation;        ///< also all pictures as one file: .ogv, or .apng or .png; default none
-    int fps = 10;                           ///< pictures a second of the animation
-    int jobs = 1;                           ///< processes that draw; pictures don't depend on it
+    std::filesystem::path output;    ///< folder of the pictures; default RESULTS/frames/NAME, NAME being the preset or
+                                     ///< what it would be called: bodies, normals, or the array
+    std::filesystem::path animation; ///< also all pictures as one file: .ogv, or .apng or .png; default none
+    int fps = 10;                    ///< pictures a second of the animation
+    int jobs = 1;                    ///< processes that draw; pictures don't depend on it
     std::function<void(int done, int total)> progress; ///< called after each picture
+    std::function<void(const std::string&)> note;      ///< called, before the first picture, with what is left out
 };
 
 /// What is asked for does not exist or cannot be: a folder without results, an unknown array, preset or frame, a size.
@@ -53,10 +55,12 @@ public:
 
 /// Draws the frames of `result_dir`/particles.pvd as `frame_00000.png`, …, numbered as in the series; view and colours
 /// are the same in all. Plane scenes are seen from above in the box of their grid, others obliquely in the box that the
-/// particles of these frames need. Returns the files written, the animation last. Throws RenderRequestError if the
-/// folder, the series, the array, the preset, a body or a frame is not there, naming it and what there is, and
-/// std::runtime_error for files that are missing or broken; nothing has been written then. With several jobs it forks:
-/// no other thread may hold locks then. Where this process has drawn already it draws by itself.
+/// particles of these frames need. Where contact pairs are drawn, frames without any at their time are left out, or
+/// refused if they were asked for by number. Returns the files written, the animation last. Throws RenderRequestError
+/// if the folder, the series, the array, the preset, a body or a frame is not there, naming it and what there is, and
+/// std::runtime_error for files that are missing or broken. Nothing has been written if a request was wrong or a file
+/// is missing or cut off; one that is broken within may only be found after pictures of others. With several jobs it
+/// forks: no other thread may hold locks then. Where this process has drawn already it draws by itself.
 std::vector<std::filesystem::path> render_series(const std::filesystem::path& result_dir, const RenderOptions& given);
 
 /// Draws one frame that is in no file yet, as `file` (PNG), which appears whole or not at all. Plane scenes are seen in

@@ -15,13 +15,13 @@
 
 namespace abut {
 
-void write_renderer_png(OffscreenContext& context, vtkRenderer& renderer, int width, int height,
+void write_renderer_png(OffscreenContext& context, vtkRenderer& renderer, int width, int height, int samples,
                         const std::filesystem::path& path) {
     VtkMessages messages;
     vtkRenderWindow& window = context.window();
     window.SetDPI(72);
     window.SetSize(width, height);
-    window.SetMultiSamples(8);
+    window.SetMultiSamples(samples);
     window.AddRenderer(&renderer);
     vtkNew<vtkWindowToImageFilter> image;
     image->SetInput(&window);

@@ -41,7 +41,35 @@ bool meets(const Bounds& region, const double* point, const Vector3& reach) {
     return true;
 }
 
+/// Whether `body` is the group's name, a hyphen and digits.
+bool is_of_group(const std::string& body, const std::string& group) {
+    return body.size() > group.size() + 1 && body.starts_with(group) && body[group.size()] == '-' &&
+           body.find_first_not_of("0123456789", group.size() + 1) == std::string::npos;
+}
+
 } // namespace
+
+std::vector<std::string> bodies_named(const std::vector<std::string>& names, const std::vector<std::string>& known,
+                                      const std::string& where) {
+    std::vector<std::string> bodies;
+    const auto add = [&](const std::string& body) {
+        if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) bodies.push_back(body);
+    };
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) {
+            add(name);
+            continue;
+        }
+        bool any = false;
+        for (const std::string& body : known) {
+            if (!is_of_group(body, name)) continue;
+            add(body);
+            any = true;
+        }
+        if (!any) throw RenderRequestError(fmt::format("{}: {}", where, no_such("body", name, known)));
+    }
+    return bodies;
+}
 
 std::set<int> body_numbers(const PointFrame& frame, const std::vector<std::string>& names, const std::string& where) {
     const auto words =
@@ -49,13 +77,26 @@ std::set<int> body_numbers(const PointFrame& frame, const std::vector<std::strin
     if (words == frame.words.end() || !find_array(frame, "body"))
         throw RenderRequestError(where + ": the results don't tell the bodies of particles (array \"body\")");
     std::set<int> numbers;
-    for (const std::string& name : names) {
-        const auto found = std::find(words->values.begin(), words->values.end(), name);
-        if (found == words->values.end())
-            throw RenderRequestError(fmt::format("{}: {}", where, no_such("body", name, words->values)));
-        numbers.insert(static_cast<int>(found - words->values.begin()));
-    }
+    for (const std::string& body : bodies_named(names, words->values, where))
+        numbers.insert(
+            static_cast<int>(std::find(words->values.begin(), words->values.end(), body) - words->values.begin()));
     return numbers;
+}
+
+void check_region(const Bounds& region, const Bounds& box, bool all_there_is) {
+    double size = 0;
+    for (std::size_t k = 0; k < 3; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
+    for (std::size_t k = 0; k < (region.flat() ? 2u : 3u); ++k) {
+        const double lower = region.lower[k], upper = region.upper[k];
+        if (all_there_is && (upper <= box.lower[k] || lower >= box.upper[k]))
+            throw RenderRequestError(fmt::format("the region is outside the grid: {} from {} m to {} m, the grid from "
+                                                 "{} m to {} m",
+                                                 "xyz"[k], lower, upper, box.lower[k], box.upper[k]));
+        if (size > 0 && upper - lower > 1e4 * size)
+            throw RenderRequestError(fmt::format("the region is so large, {} from {} m to {} m, that nothing would be "
+                                                 "seen of a scene of {} m",
+                                                 "xyz"[k], lower, upper, size));
+    }
 }
 
 Bounds region_of(const std::vector<double>& numbers, bool flat) {

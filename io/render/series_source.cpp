@@ -2,9 +2,9 @@
 
 #include "io/render/render_series.h"
 #include "io/results/read_frame.h"
+#include "io/results/vtk_end.h"
 #include "scene/suggest.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +14,6 @@
 namespace abut {
 namespace {
 
-/// VTK's files end with their root's end tag.
 void check_whole(const std::filesystem::path& path, int frame) {
     const auto fail = [&](const char* cause) {
         throw std::runtime_error(fmt::format("{}: cannot read: {} (frame {} of its series); nothing was drawn. "
@@ -22,14 +21,8 @@ void check_whole(const std::filesystem::path& path, int frame) {
                                              path.string(), cause, frame));
     };
     if (!std::filesystem::is_regular_file(path)) fail("no such file");
-    std::ifstream file(path, std::ios::binary);
-    constexpr std::string_view end = "</VTKFile>";
-    std::string tail(64, ' ');
-    file.seekg(0, std::ios::end);
-    const auto size = static_cast<std::streamoff>(file.tellg());
-    file.seekg(std::max<std::streamoff>(0, size - static_cast<std::streamoff>(tail.size())));
-    file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
-    if (tail.find(end) == std::string::npos) fail("the file is cut off");
+    if (!std::ifstream(path)) fail("it can't be opened");
+    if (!has_vtk_end(path)) fail("the file is cut off");
 }
 
 } // namespace
@@ -47,14 +40,7 @@ const PvdEntry* SeriesSource::contact_entry(int index) const {
 }
 
 PointFrame SeriesSource::contact(int index) const {
-    if (const PvdEntry* entry = contact_entry(index)) return read_points(folder / entry->file);
-    return {series.entries[static_cast<std::size_t>(index)].time,
-            {},
-            {{"normal", 3, std::vector<double>{}},
-             {"separation", 1, std::vector<double>{}},
-             {"in_contact", 1, std::vector<std::int32_t>{}}},
-            {},
-            {}};
+    return read_points(folder / contact_entry(index)->file);
 }
 
 void SeriesSource::check_files(const std::vector<int>& frames) const {
@@ -104,6 +90,7 @@ std::vector<std::string> array_names(const PointFrame& frame) {
 }
 
 std::string no_such(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
+    if (known.empty()) return fmt::format("no {} \"{}\": there are none", what, name);
     return fmt::format("no {} \"{}\"{} (there are: {})", what, name, did_you_mean(name, known), fmt::join(known, ", "));
 }
 

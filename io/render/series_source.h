@@ -21,9 +21,9 @@ struct SeriesSource {
 
     /// Frame `index`, with all point arrays or with the wanted ones only.
     PointFrame particles(int index, const std::vector<std::string>& wanted) const;
-    /// The contact pairs at the time of particle frame `index`; empty if there is no frame at that time.
+    /// The contact pairs at the time of particle frame `index`, for which contact_entry must not be null.
     PointFrame contact(int index) const;
-    /// Its entry in contact.pvd, or null.
+    /// The entry at its time in contact.pvd; null if contact pairs were written at other times.
     const PvdEntry* contact_entry(int index) const;
     /// Throws if a file of these frames, or of their contact pairs if these were asked for, is missing or cut off;
     /// reads no more than each file's end.
@@ -39,7 +39,7 @@ SeriesSource open_series(const std::filesystem::path& folder, bool with_contact)
 
 std::vector<std::string> array_names(const PointFrame& frame);
 
-/// `no array "presure"; did you mean "pressure"? (there are: body, pressure)`
+/// `no array "presure"; did you mean "pressure"? (there are: body, pressure)`, or that there are none
 std::string no_such(const std::string& what, const std::string& name, const std::vector<std::string>& known);
 
 } // namespace abut

@@ -110,7 +110,7 @@ std::vector<double> values_of(const Array& array, int component) {
         array.values);
 }
 
-Range range_of(const std::vector<double>& values) {
+Range range_of(std::span<const double> values) {
     Range range;
     for (const double v : values) {
         if (!std::isfinite(v)) continue;
@@ -182,6 +182,13 @@ double round_down_nicely(double value) {
     for (const double m : {5.0, 2.0})
         if (value >= m * power * (1 - 1e-9)) return m * power;
     return power;
+}
+
+double round_up_nicely(double value) {
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    for (const double m : {1.0, 2.0, 5.0})
+        if (m * power >= value * (1 - 1e-9)) return m * power;
+    return 10 * power;
 }
 
 } // namespace abut

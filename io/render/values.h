@@ -6,6 +6,7 @@
 #include "results/frame.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,7 +22,7 @@ std::vector<double> values_of(const Array& array, int component);
 
 /// Smallest and largest finite value, empty if there is none.
 using Range = std::optional<std::pair<double, double>>;
-Range range_of(const std::vector<double>& values);
+Range range_of(std::span<const double> values);
 /// From the smallest value, or if that is negative from the one below which 100 − `percentile` per cent are, to the one
 /// below which `percentile` per cent are.
 Range range_of(const std::vector<double>& values, double percentile);
@@ -43,7 +44,8 @@ struct ColourScale {
 /// outwards to what reads well: from zero if all values have one sign, symmetric about zero if both signs matter.
 ColourScale colour_scale(const Array& array, int component, Range range, bool exact);
 
-/// Numbers 1, 2 or 5 times a power of ten: the largest not above `value` (> 0).
+/// Numbers 1, 2 or 5 times a power of ten: the largest not above, and the smallest not below `value` (> 0).
 double round_down_nicely(double value);
+double round_up_nicely(double value);
 
 } // namespace abut

@@ -1,4 +1,3 @@
-#include "io/results/pvd.h"
 #include "io/results/write_contact_clouds.h"
 
 #include <algorithm>
@@ -32,18 +31,24 @@ std::vector<Choice<D>> choices_of(const State<D>& state, const ContactCloudsSpec
 }
 
 /// Enters the files of one suffix in a series of clouds and one of planes.
-void enter(const std::filesystem::path& folder, const std::string& series, double time, const std::string& suffix) {
+void enter(CloudSeries& series, const std::filesystem::path& folder, const std::string& choice, double time,
+           const std::string& suffix) {
     for (const auto& [kind, extension] : {std::pair{"cloud", "vtu"}, {"plane", "vtp"}}) {
-        PvdSeries pvd{folder / fmt::format("{}_{}.pvd", kind, series), {}};
-        if (std::filesystem::exists(pvd.path)) pvd = read_pvd(pvd.path);
-        pvd.append(time, fmt::format("{}_{}.{}", kind, suffix, extension));
+        const std::string name = fmt::format("{}_{}", kind, choice);
+        auto known = series.by_name.find(name);
+        if (known == series.by_name.end()) {
+            const std::filesystem::path path = folder / (name + ".pvd");
+            known = series.by_name.emplace(name, std::filesystem::exists(path) ? read_pvd(path) : PvdSeries{path, {}})
+                        .first;
+        }
+        known->second.append(time, fmt::format("{}_{}.{}", kind, suffix, extension));
     }
 }
 
 } // namespace
 
 template <int D>
-void write_contact_clouds(State<D>& state, const std::filesystem::path& results, int frame) {
+void write_contact_clouds(State<D>& state, const std::filesystem::path& results, int frame, CloudSeries& series) {
     const ContactCloudsSpec& spec = *state.scene.output.contact_clouds;
     const std::filesystem::path folder = results / "clouds";
     const std::vector<Choice<D>> choices = choices_of(state, spec);
@@ -53,16 +58,16 @@ void write_contact_clouds(State<D>& state, const std::filesystem::path& results,
     for (const NodeSeen<D>& node : inspect_contact<D>(state, nodes))
         write_node_files<D>(state, {node}, folder, node_file_suffix<D>(frame, node.node));
     for (const Choice<D>& choice : choices)
-        enter(folder, choice.series, state.time, node_file_suffix<D>(frame, choice.node));
+        enter(series, folder, choice.series, state.time, node_file_suffix<D>(frame, choice.node));
     if (!spec.disagreement) return;
     nodes.clear();
     for (const Disagreement<D>& one : nodes_in_disagreement(state, *spec.disagreement)) nodes.push_back(one.node);
     const std::string suffix = fmt::format("{:05}", frame);
     write_node_files<D>(state, inspect_contact<D>(state, nodes), folder, suffix);
-    enter(folder, "disagreement", state.time, suffix);
+    enter(series, folder, "disagreement", state.time, suffix);
 }
 
-template void write_contact_clouds<2>(State<2>&, const std::filesystem::path&, int);
-template void write_contact_clouds<3>(State<3>&, const std::filesystem::path&, int);
+template void write_contact_clouds<2>(State<2>&, const std::filesystem::path&, int, CloudSeries&);
+template void write_contact_clouds<3>(State<3>&, const std::filesystem::path&, int, CloudSeries&);
 
 } // namespace abut

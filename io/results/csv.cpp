@@ -10,20 +10,9 @@ namespace {
 
 constexpr std::size_t buffer_size = 1 << 16; // bytes before the buffer is written unasked
 
-/// Quoted only where RFC 4180 asks for it.
 void append_cell(std::string& buffer, std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-        buffer += text;
-        return;
-    }
-    buffer += '"';
-    for (const char c : text) {
-        if (c == '"') buffer += '"';
-        buffer += c;
-    }
-    buffer += '"';
+    buffer += csv_cell(text);
 }
-
 void append_cell(std::string& buffer, double value) {
     fmt::format_to(std::back_inserter(buffer), "{}", value);
 }
@@ -32,6 +21,16 @@ void append_cell(std::string& buffer, std::int64_t value) {
 }
 
 } // namespace
+
+std::string csv_cell(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string cell = "\"";
+    for (const char c : text) {
+        if (c == '"') cell += '"';
+        cell += c;
+    }
+    return cell + '"';
+}
 
 CsvTable::CsvTable(const std::filesystem::path& path, const std::vector<std::string>& columns)
     : file_(path), columns_(columns.size()) {

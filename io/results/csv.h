@@ -15,6 +15,9 @@
 
 namespace abut {
 
+/// A text as a cell of a table, quoted only where RFC 4180 asks for it.
+std::string csv_cell(std::string_view text);
+
 /// A CSV file under way. Reals are written in the shortest form that reads back to the same bits. Rows are buffered and
 /// reach the file in whole rows, by `flush` or when the buffer is full; so a killed run leaves whole rows.
 /// Every failure (disk full, no such folder) throws std::runtime_error naming the file and the cause.

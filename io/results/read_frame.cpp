@@ -1,12 +1,12 @@
 #include "io/results/read_frame.h"
 
+#include "io/results/vtk_end.h"
 #include "io/results/vtk_messages.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 #include <stdexcept>
-#include <string_view>
 #include <vtkDataArray.h>
 #include <vtkDataArraySelection.h>
 #include <vtkDoubleArray.h>
@@ -79,23 +79,11 @@ void read_fields(vtkDataSet& data, double& time, std::vector<Array>& arrays, std
     }
 }
 
-/// VTK only notices a missing end if it is asked for what was there.
-bool has_its_end(const std::filesystem::path& path) {
-    constexpr std::string_view end = "</VTKFile>";
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    const auto length = std::min<std::streamoff>(file.tellg(), 100);
-    if (length < 0) return true; // it can't be opened; VTK says why
-    std::string tail(static_cast<std::size_t>(length), ' ');
-    file.seekg(-length, std::ios::end);
-    file.read(tail.data(), length);
-    tail.erase(tail.find_last_not_of(" \t\r\n") + 1);
-    return std::string_view(tail).ends_with(end);
-}
-
 /// Runs a reader and throws unless all of the file was understood.
 void update(vtkXMLReader& reader, const std::filesystem::path& path, const std::vector<std::string>& wanted) {
     if (!std::filesystem::is_regular_file(path)) throw std::runtime_error(path.string() + ": no such file");
-    if (!has_its_end(path)) throw std::runtime_error(path.string() + ": cannot read: its end is missing");
+    if (std::ifstream(path) && !has_vtk_end(path)) // if it can't be opened, VTK says why
+        throw std::runtime_error(path.string() + ": cannot read: its end is missing");
     VtkMessages messages;
     reader.SetFileName(path.c_str());
     reader.UpdateInformation();

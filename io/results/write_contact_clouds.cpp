@@ -1,13 +1,17 @@
 #include "io/results/write_contact_clouds.h"
 
+#include "io/results/csv.h"
 #include "io/results/write_frame.h"
 #include "io/results/write_text.h"
 #include "io/scene/words.h"
+#include "results/frame_parts.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
+#include <stdexcept>
+#include <system_error>
 
 namespace abut {
 
@@ -17,13 +21,6 @@ constexpr std::array separation_names{"separation_particle_edges", "separation_c
                                       "separation_fitted_position", "separation_displacement"};
 static_assert(separation_names.size() == inspected_separations.size());
 
-std::string unit_of(std::string_view name) {
-    if (name == "angle") return "rad";
-    for (const std::string_view length : {"distance", "edge_distance", "half_size", "centre", "end_a", "end_b"})
-        if (name == length) return "m";
-    return name.starts_with("separation_") ? "m" : "";
-}
-
 /// Columns of a frame under way, by name.
 struct Columns {
     std::vector<Array> arrays;
@@ -31,9 +28,10 @@ struct Columns {
     template <class Value>
     void add(const char* name, int components, const Value* first) {
         const auto same = std::find_if(arrays.begin(), arrays.end(), [&](const Array& a) { return a.name == name; });
-        Array& array = same == arrays.end()
-                           ? arrays.emplace_back(Array{name, components, std::vector<Value>{}, unit_of(name)})
-                           : *same;
+        Array& array =
+            same == arrays.end()
+                ? arrays.emplace_back(Array{name, components, std::vector<Value>{}, std::string(unit_of_array(name))})
+                : *same;
         auto& values = std::get<std::vector<Value>>(array.values);
         values.insert(values.end(), first, first + components);
     }
@@ -60,13 +58,11 @@ void add_key(Columns& columns, const NodeSeen<D>& node, std::size_t pair) {
 
 /// What both kinds of files have besides their cells.
 template <int D>
-CellFrame frame_of(const State<D>& state, const std::vector<NodeSeen<D>>& nodes, int corners) {
+CellFrame frame_of(const State<D>& state, const std::vector<NodeSeen<D>>& nodes) {
     CellFrame frame;
     frame.time = state.time;
-    frame.corners = corners;
-    frame.globals.push_back({"step", 1, std::vector<std::int32_t>{static_cast<std::int32_t>(state.step)}});
-    frame.words = {{"body_names", {}}, {"method_names", texts(normal_words)}};
-    for (const ModelBody& body : state.bodies) frame.words[0].values.push_back(body.name);
+    frame.globals.push_back(step_number(state.step));
+    frame.words = {body_names(state), {"method_names", texts(normal_words)}};
     if (nodes.size() == 1) {
         const auto numbers = three<D>(nodes[0].node);
         const Vector place = to_array<D>(nodes[0].position);
@@ -77,10 +73,13 @@ CellFrame frame_of(const State<D>& state, const std::vector<NodeSeen<D>>& nodes,
 }
 
 template <int D>
-void add_corner(CellFrame& frame, const Vec<D>& x) {
-    const Vector corner = to_array<D>(x);
-    frame.corner_points.push_back(static_cast<std::int32_t>(frame.points.size() / 3));
-    frame.points.insert(frame.points.end(), corner.begin(), corner.end());
+void add_cell(CellFrame& frame, const std::vector<Vec<D>>& corners) {
+    std::vector<std::int32_t>& cell = frame.cells.emplace_back();
+    for (const Vec<D>& x : corners) {
+        const Vector corner = to_array<D>(x);
+        cell.push_back(static_cast<std::int32_t>(frame.points.size() / 3));
+        frame.points.insert(frame.points.end(), corner.begin(), corner.end());
+    }
 }
 
 /// The corners of a domain in VTK's order: counter-clockwise, the lower face first.
@@ -168,12 +167,12 @@ std::vector<Vec<D>> plane_corners(const Vec<D>& node, const std::vector<Particle
 
 template <int D>
 CellFrame cloud_frame(const State<D>& state, const std::vector<NodeSeen<D>>& nodes) {
-    CellFrame frame = frame_of(state, nodes, D == 2 ? 4 : 8);
+    CellFrame frame = frame_of(state, nodes);
     Columns columns;
     for (const NodeSeen<D>& node : nodes)
         for (std::size_t pair = 0; pair < node.points.size(); ++pair)
             for (const ParticleSeen<D>& particle : node.points[pair].cloud) {
-                for (const Vec<D>& corner : corners_of(particle)) add_corner<D>(frame, corner);
+                add_cell<D>(frame, corners_of(particle));
                 add_key(columns, node, pair);
                 add_particle(columns, particle);
             }
@@ -184,14 +183,13 @@ CellFrame cloud_frame(const State<D>& state, const std::vector<NodeSeen<D>>& nod
 
 template <int D>
 CellFrame plane_frame(const State<D>& state, const std::vector<NodeSeen<D>>& nodes) {
-    CellFrame frame = frame_of(state, nodes, D == 2 ? 2 : 4);
+    CellFrame frame = frame_of(state, nodes);
     Columns columns;
     for (const NodeSeen<D>& node : nodes)
         for (std::size_t pair = 0; pair < node.points.size(); ++pair)
             for (const PlaneSeen<D>& plane : node.points[pair].planes) {
                 if (!std::isfinite(plane.place())) continue;
-                for (const Vec<D>& corner : plane_corners<D>(node.position, node.points[pair].cloud, plane))
-                    add_corner<D>(frame, corner);
+                add_cell<D>(frame, plane_corners<D>(node.position, node.points[pair].cloud, plane));
                 add_key(columns, node, pair);
                 add_plane(columns, node.points[pair], plane);
             }
@@ -213,17 +211,13 @@ std::string node_table(const State<D>& state, const std::vector<NodeSeen<D>>& no
     text += ",angle,iterations,end_a,end_b";
     for (const char* name : separation_names) fmt::format_to(out, ",{}", name);
     text += '\n';
-    const auto quoted_name = [&](std::int32_t body) {
-        std::string name;
-        for (const char c : state.bodies[body].name) name += c == '"' ? "\"\"" : std::string(1, c);
-        return name.find_first_of(",\"\r\n") == std::string::npos ? name : '"' + name + '"';
-    };
     for (const NodeSeen<D>& node : nodes)
         for (const PointSeen<D>& point : node.points)
             for (const PlaneSeen<D>& plane : point.planes) {
                 for (const int i : node.node) fmt::format_to(out, "{},", i);
-                fmt::format_to(out, "{},{},{:d},{},{},{:d}", quoted_name(point.body_a), quoted_name(point.body_b),
-                               point.lumped, point.cloud.size(), text_of(normal_words, plane.method), plane.chosen);
+                fmt::format_to(out, "{},{},{:d},{},{},{:d}", csv_cell(state.bodies[point.body_a].name),
+                               csv_cell(state.bodies[point.body_b].name), point.lumped, point.cloud.size(),
+                               text_of(normal_words, plane.method), plane.chosen);
                 for (const Vec<D>& normal : {plane.normal, plane.fitted})
                     for (int a = 0; a < D; ++a) fmt::format_to(out, ",{}", normal[a]);
                 fmt::format_to(out, ",{},{},{},{}", plane.angle, plane.iterations, plane.end_a, plane.end_b);
@@ -240,10 +234,17 @@ std::string node_file_suffix(int frame, const Index<D>& node) {
     return suffix;
 }
 
+void make_node_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error && !std::filesystem::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
+    if (error) throw std::runtime_error(fmt::format("{}: {}", folder.string(), error.message()));
+}
+
 template <int D>
 std::vector<std::filesystem::path> write_node_files(const State<D>& state, const std::vector<NodeSeen<D>>& nodes,
                                                     const std::filesystem::path& folder, const std::string& suffix) {
-    std::filesystem::create_directories(folder);
+    make_node_folder(folder);
     const std::filesystem::path cloud = folder / ("cloud_" + suffix + ".vtu");
     const std::filesystem::path plane = folder / ("plane_" + suffix + ".vtp");
     const std::filesystem::path table = folder / ("node_" + suffix + ".csv");

@@ -4,26 +4,20 @@
 /// several together, in SI units:
 ///
 /// * cloud_….vtu: the deformed domains of the particles that the search saw (quadrilaterals, hexahedra), once for each
-///   pair of bodies at the node. Cell arrays: `body`, `id`, `distance` (signed, of the centre to the plane of the
-///   scene's own method, positive on the side of `body_b`; NaN without a plane) [m], `edge_distance` (R) [m], `support`
-///   (1: its side ends with it), `deformation_gradient` (9), `half_size` [m], `centre` [m], `pair` (number of the pair
-///   at its node), `body_a`, `body_b` and `node` (its numbers along the axes).
+///   pair of bodies at the node, with cloud_arrays() (results/arrays.h).
 /// * plane_….vtp: the plane of each method (2D a segment, 3D a square) halfway between both edges, as wide as the
-///   cloud. Cell arrays: `normal` (unit, from `body_a` to `body_b`), `fitted_normal` (before `particle-edges` turned
-///   it), `separation_particle_edges`, `separation_critical_position`, `separation_fitted_position`,
-///   `separation_displacement` [m], `end_a`, `end_b` (where the sides end along the normal, from the node) [m],
-///   `iterations`, `angle` (to the scene's own normal) [rad], `method` (place in the field data `method_names`),
-///   `chosen` (1: the scene's own), `lumped` (1: `body_a` against all others), `pair`, `body_a`, `body_b`, `node`.
-///   A method that finds no normal has no plane here, but a row in the table.
+///   cloud, with plane_arrays(). A method that finds no normal has no plane here, but a row in the table.
 /// * node_….csv: the same side by side, a row for each pair and method.
 ///
 /// Field data: TimeValue, `step`, `units`, `body_names`, `method_names`; for one node `node` and `node_position` [m]
 /// too.
 
 #include "contact/inspect.h"
+#include "io/results/pvd.h"
 #include "results/frame.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,18 +36,27 @@ std::string node_table(const State<D>& state, const std::vector<NodeSeen<D>>& no
 template <int D>
 std::string node_file_suffix(int frame, const Index<D>& node);
 
+/// Makes the folder for such files if need be. Throws std::runtime_error "FOLDER: CAUSE" if it can't.
+void make_node_folder(const std::filesystem::path& folder);
+
 /// Writes cloud_SUFFIX.vtu, plane_SUFFIX.vtp and node_SUFFIX.csv to a folder, which is made if need be; each appears
 /// complete or not at all. \return the three files. Throws as write_cells().
 template <int D>
 std::vector<std::filesystem::path> write_node_files(const State<D>& state, const std::vector<NodeSeen<D>>& nodes,
                                                     const std::filesystem::path& folder, const std::string& suffix);
 
+/// Series of a run under way, by the names of their files without the extension.
+struct CloudSeries {
+    std::map<std::string, PvdSeries> by_name;
+};
+
 /// What `output.contact_clouds` of the scene asks for (which must be given), to RESULTS/clouds: three files for each
 /// chosen node, and three for all nodes in disagreement together (cloud_FRAME.vtu, …); series for ParaView for each
-/// choice, which continue those on the disk: cloud_I_J.pvd, cloud_near_K.pvd (K: place in `near`, from 0; the nearest
-/// contact node may change), cloud_disagreement.pvd, and the same of planes. A chosen node that is no contact node at
-/// the time gets files without cells. The state must have been `look`ed at.
+/// choice, which continue those in `series` (and at their first frame those on the disk): cloud_I_J.pvd,
+/// cloud_near_K.pvd (K: place in `near`, from 0; the nearest contact node may change), cloud_disagreement.pvd, and the
+/// same of planes. A chosen node that is no contact node at the time gets files without cells. The state must have been
+/// `look`ed at.
 template <int D>
-void write_contact_clouds(State<D>& state, const std::filesystem::path& results, int frame);
+void write_contact_clouds(State<D>& state, const std::filesystem::path& results, int frame, CloudSeries& series);
 
 } // namespace abut

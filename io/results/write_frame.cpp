@@ -1,16 +1,15 @@
 #include "io/results/write_frame.h"
 
 #include "io/results/output_file.h"
+#include "io/results/vtk_end.h"
 #include "io/results/vtk_messages.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <numeric>
 #include <stdexcept>
-#include <string_view>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
@@ -27,6 +26,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -104,24 +104,21 @@ void add_globals(vtkDataSet& data, const Frame& frame) {
     if (!frame.arrays.empty()) add_words(data, units_of(frame.arrays));
 }
 
-/// Cells of equally many corners, by the numbers of their points.
-vtkSmartPointer<vtkCellArray> cells_of(int corners, const std::vector<std::int32_t>& corner_points) {
+/// One cell of one point for each point.
+vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
     vtkNew<vtkTypeInt32Array> offsets, points;
-    const auto count = static_cast<vtkIdType>(corner_points.size()) / corners;
-    offsets->SetNumberOfValues(count + 1);
-    for (vtkIdType i = 0; i <= count; ++i) offsets->SetValue(i, static_cast<vtkTypeInt32>(i * corners));
-    points->SetNumberOfValues(static_cast<vtkIdType>(corner_points.size()));
-    std::copy(corner_points.begin(), corner_points.end(), points->GetPointer(0));
+    offsets->SetNumberOfValues(static_cast<vtkIdType>(count) + 1);
+    points->SetNumberOfValues(static_cast<vtkIdType>(count));
+    std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, 0);
+    std::iota(points->GetPointer(0), points->GetPointer(0) + count, 0);
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     cells->SetData(offsets, points);
     return cells;
 }
 
-/// One cell of one point for each point.
-vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
-    std::vector<std::int32_t> points(count);
-    std::iota(points.begin(), points.end(), 0);
-    return cells_of(1, points);
+void insert(vtkCellArray& cells, const std::vector<std::int32_t>& corners) {
+    cells.InsertNextCell(static_cast<int>(corners.size()));
+    for (const std::int32_t point : corners) cells.InsertCellPoint(point);
 }
 
 void set_points(vtkPointSet& data, const std::vector<double>& coordinates, Reals reals) {
@@ -137,24 +134,45 @@ void fill(vtkPointSet& data, const PointFrame& frame, Reals points, Reals reals)
     add_globals(data, frame);
 }
 
-/// \param cells their number
-template <class Frame>
-void fill_cells(vtkPointSet& data, const Frame& frame, std::size_t cells) {
+void fill(vtkPointSet& data, const CellFrame& frame) {
     set_points(data, frame.points, Reals::float64);
-    add_arrays(*data.GetCellData(), frame.arrays, cells, "cells", Reals::float64);
+    add_arrays(*data.GetCellData(), frame.arrays, frame.cells.size(), "cells", Reals::float64);
     add_globals(data, frame);
 }
 
-// === Writing
-
-/// A file whose last buffer never reached the disk lacks its end; VTK does not notice that on closing.
-bool is_complete(const std::filesystem::path& path) {
-    constexpr std::string_view end = "</VTKFile>\n";
-    std::string tail(end.size(), ' ');
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
-    return file.read(tail.data(), static_cast<std::streamsize>(tail.size())) && tail == end;
+vtkSmartPointer<vtkPolyData> surface(const CellFrame& frame) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkCellArray> lines, polygons;
+    lines->Use32BitStorage();
+    polygons->Use32BitStorage();
+    for (const std::vector<std::int32_t>& corners : frame.cells) {
+        if (corners.size() < 2) throw std::invalid_argument("cells of a .vtp file need two corners or more");
+        const bool line = corners.size() == 2;
+        if (line && polygons->GetNumberOfCells() > 0) throw std::invalid_argument("lines come before polygons");
+        insert(line ? *lines : *polygons, corners);
+    }
+    data->SetLines(lines);
+    data->SetPolys(polygons);
+    return data;
 }
+
+vtkSmartPointer<vtkUnstructuredGrid> unstructured(const CellFrame& frame) {
+    auto data = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    vtkNew<vtkCellArray> cells;
+    cells->Use32BitStorage();
+    vtkNew<vtkUnsignedCharArray> kinds;
+    for (const std::vector<std::int32_t>& corners : frame.cells) {
+        const std::size_t count = corners.size();
+        if (count != 2 && count != 4 && count != 8)
+            throw std::invalid_argument(fmt::format("a cell of {} corners in a .vtu file", count));
+        kinds->InsertNextValue(count == 2 ? VTK_LINE : count == 4 ? VTK_QUAD : VTK_HEXAHEDRON);
+        insert(*cells, corners);
+    }
+    data->SetCells(kinds, cells);
+    return data;
+}
+
+// === Writing
 
 template <class Writer>
 void write(const std::filesystem::path& path, vtkDataSet& data) {
@@ -170,7 +188,7 @@ void write(const std::filesystem::path& path, vtkDataSet& data) {
         errno = 0;
         const bool accepted = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
         const int cause = errno; // VTK calls every failure "out of disk space"; the system knows better
-        if (accepted && is_complete(temporary)) return;
+        if (accepted && has_vtk_end(temporary)) return; // the last buffer may never have reached the disk
         const std::string vtk_cause = messages.first_error();
         throw std::runtime_error(fmt::format("{}: cannot write: {}", path.string(),
                                              cause != 0           ? std::strerror(cause)
@@ -196,34 +214,15 @@ void write_contact(const std::filesystem::path& path, const PointFrame& frame, R
 }
 
 void write_cells(const std::filesystem::path& path, const CellFrame& frame) {
-    const auto cells = cells_of(frame.corners, frame.corner_points);
-    const auto count = static_cast<std::size_t>(cells->GetNumberOfCells());
     if (path.extension() == ".vtp") {
-        vtkNew<vtkPolyData> data;
-        frame.corners == 2 ? data->SetLines(cells) : data->SetPolys(cells);
-        fill_cells(*data, frame, count);
+        const auto data = surface(frame);
+        fill(*data, frame);
         write<vtkXMLPolyDataWriter>(path, *data);
     } else {
-        vtkNew<vtkUnstructuredGrid> data;
-        data->SetCells(frame.corners == 2 ? VTK_LINE : frame.corners == 4 ? VTK_QUAD : VTK_HEXAHEDRON, cells);
-        fill_cells(*data, frame, count);
+        const auto data = unstructured(frame);
+        fill(*data, frame);
         write<vtkXMLUnstructuredGridWriter>(path, *data);
     }
-}
-
-void write_surface(const std::filesystem::path& path, const SurfaceFrame& frame) {
-    vtkNew<vtkPolyData> data;
-    vtkNew<vtkCellArray> lines, polygons;
-    for (const std::vector<std::int32_t>& cell : frame.cells) {
-        const bool line = cell.size() == 2;
-        if (line && polygons->GetNumberOfCells() > 0) throw std::invalid_argument("lines come before polygons");
-        const std::vector<vtkIdType> points(cell.begin(), cell.end());
-        (line ? lines : polygons)->InsertNextCell(static_cast<vtkIdType>(points.size()), points.data());
-    }
-    data->SetLines(lines);
-    data->SetPolys(polygons);
-    fill_cells(*data, frame, frame.cells.size());
-    write<vtkXMLPolyDataWriter>(path, *data);
 }
 
 void write_grid(const std::filesystem::path& path, const GridFrame& frame, Reals reals) {

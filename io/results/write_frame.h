@@ -21,12 +21,10 @@ void write_particles(const std::filesystem::path& path, const PointFrame& frame,
 /// Writes contact pairs as a .vtp file, one vertex each; otherwise as write_particles.
 void write_contact(const std::filesystem::path& path, const PointFrame& frame, Reals reals = Reals::float64);
 
-/// Writes lines and polygons as a .vtp file, with arrays of cells; otherwise as write_particles. Throws
-/// std::invalid_argument also if a line comes after a polygon (VTK numbers them in that order).
-void write_surface(const std::filesystem::path& path, const SurfaceFrame& frame);
-
-/// Writes cells with cell data, as .vtu or, if the name ends so, .vtp (segments and quadrilaterals only); otherwise as
-/// write_particles.
+/// Writes cells with cell data; otherwise as write_particles. If the name ends in .vtp, cells of two corners are lines,
+/// those of more polygons; else, in a .vtu file, those of 2 are lines, of 4 quadrilaterals, of 8 hexahedra. Throws
+/// std::invalid_argument also for cells of other numbers of corners, and in a .vtp file for a line after a polygon (VTK
+/// numbers lines first).
 void write_cells(const std::filesystem::path& path, const CellFrame& frame);
 
 /// Writes the grid's nodes as a .vti file (image data with point arrays); otherwise as write_particles.

@@ -162,6 +162,8 @@ std::string scene_reference() {
     add_arrays(page, "Particles: particles.pvd", particle_arrays());
     add_arrays(page, "The grid's nodes: grid.pvd", grid_arrays());
     add_arrays(page, "Contact pairs at nodes: contact.pvd", contact_arrays());
+    add_arrays(page, "Contact nodes taken apart, the particles seen: clouds/cloud_….vtu", cloud_arrays());
+    add_arrays(page, "Contact nodes taken apart, the planes of all methods: clouds/plane_….vtp", plane_arrays());
     add_later(page);
     return page;
 }

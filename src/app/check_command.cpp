@@ -191,7 +191,7 @@ int particles_command(const SceneOptions& options, ParticlesOptions preview) {
         fmt::print("{}", table_of(report, static_cast<std::size_t>(dimension(state.scene.analysis))));
         for (const std::string& note : report.notes) fmt::print("{}\n", note);
         write_particles(preview.output, particle_frame(state));
-        if (!preview.boundaries.empty()) write_surface(preview.boundaries, boundary_frame(state));
+        if (!preview.boundaries.empty()) write_cells(preview.boundaries, boundary_frame(state));
         if (!preview.grid.empty()) write_grid(preview.grid, empty_grid_frame(state));
         if (!preview.no_picture) draw(state, preview.render, picture);
         fmt::print("written: {}", preview.output.string());

@@ -8,6 +8,7 @@
 #include "io/scene/units.h"
 #include "io/scene/words.h"
 #include "results/frames.h"
+#include "step/run_error.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,12 +41,13 @@ struct ChosenFrame {
 
 ChosenFrame choose_frame(const ContactOptions& options) {
     const std::filesystem::path series = options.results / "particles.pvd";
+    if (!std::filesystem::is_directory(options.results))
+        throw UsageError(fmt::format("{}: no such folder", options.results.string()));
     if (!std::filesystem::is_regular_file(options.results / "scene.json"))
-        throw UsageError(
-            fmt::format("\"{}\" is not a result folder of abut: it has no scene.json", options.results.string()));
+        throw UsageError(fmt::format("{}: no scene.json; is it the result folder of a run?", options.results.string()));
     if (!std::filesystem::is_regular_file(series))
         throw UsageError(
-            fmt::format("\"{}\" has no particles.pvd, which tells where the particles were", options.results.string()));
+            fmt::format("{}: no particles.pvd, which tells where the particles were", options.results.string()));
     std::vector<ChosenFrame> frames;
     for (const PvdEntry& entry : read_pvd(series).entries)
         if (const int number = frame_number(entry.file); number >= 0)
@@ -58,7 +60,7 @@ ChosenFrame choose_frame(const ContactOptions& options) {
     std::vector<int> numbers;
     std::ranges::transform(frames, std::back_inserter(numbers), &ChosenFrame::number);
     const bool gapless = numbers.back() - numbers.front() + 1 == static_cast<int>(numbers.size());
-    throw UsageError(fmt::format("--step {}: there is no such frame; there are {}", *options.step,
+    throw UsageError(fmt::format("no frame {}; there are {}", *options.step,
                                  gapless ? fmt::format("{} to {}", numbers.front(), numbers.back())
                                          : fmt::format("{}", fmt::join(numbers, ", "))));
 }
@@ -107,14 +109,15 @@ struct LengthUnit {
     SiPrefix prefix;
     std::string name() const { return fmt::format("{}m", prefix.symbol); }
     std::string operator()(double length, int decimals = 3) const {
-        if (std::isnan(length)) return "-";
+        if (!std::isfinite(length)) return "-";
         return fmt::format("{:.{}f}", length / prefix.factor, decimals);
     }
 };
 
+/// All places of a grid are in one unit.
 template <int D>
-std::string place_text(const Vec<D>& x) {
-    const LengthUnit unit{si_prefix(x.cwiseAbs().maxCoeff())};
+std::string place_text(const Grid<D>& grid, const Vec<D>& x) {
+    const LengthUnit unit{si_prefix((grid.upper() - grid.lower()).maxCoeff())};
     std::string text = unit(x[0], 4);
     for (int a = 1; a < D; ++a) text += ", " + unit(x[a], 4);
     return fmt::format("{} {}", text, unit.name());
@@ -133,14 +136,18 @@ template <int D>
 void print_disagreements(State<D>& state) {
     const std::vector<Disagreement<D>> all = nodes_in_disagreement(state, 0);
     const LengthUnit unit{si_prefix(0.1 * state.grid.length())};
-    fmt::print("{} contact nodes, {} of them with bodies nearer than a tenth of a cell", state.contact.groups.size(),
-               all.size());
+    if (state.scene.contact->separation == SeparationMethod::none)
+        fmt::print("{} contact nodes, all taken as in contact (separation \"none\")", state.contact.groups.size());
+    else
+        fmt::print("{} contact nodes, {} of them with bodies nearer than a tenth of a cell",
+                   state.contact.groups.size(), all.size());
     if (all.empty()) return fmt::print("\n");
     fmt::print("; where the normals of two methods differ most:\n\n  {:<12} {:<28} {:<28} {:>11} {:>16} {:>10}\n",
                "node", "place", "bodies", "differ by", fmt::format("separation [{}]", unit.name()), "particles");
     for (std::size_t i = 0; i < std::min(all.size(), most_listed); ++i) {
         const Disagreement<D>& one = all[i];
-        fmt::print("  {:<12} {:<28} {:<28} {:>11} {:>16} {:>10}\n", node_text<D>(one.node), place_text<D>(one.position),
+        fmt::print("  {:<12} {:<28} {:<28} {:>11} {:>16} {:>10}\n", node_text<D>(one.node),
+                   place_text<D>(state.grid, one.position),
                    state.bodies[one.body_a].name + " / " + state.bodies[one.body_b].name,
                    fmt::format("{:.2f} deg", degrees(one.angle)), unit(one.separation), one.cloud_size);
     }
@@ -198,26 +205,40 @@ Index<D> chosen_node(const State<D>& state, const ContactOptions& options, int f
         fmt::format("--node {}: {} in frame {}; the nearest contact node is {}, at {}", *options.node,
                     inside ? "not a contact node"
                            : fmt::format("outside the grid, whose nodes are {}, and not a contact node", limits),
-                    frame, node_text<D>(nearest), place_text<D>(place_of(nearest))));
+                    frame, node_text<D>(nearest), place_text<D>(state.grid, place_of(nearest))));
+}
+
+/// The state of a run at a frame, `look`ed at.
+template <int D>
+State<D> state_at(const Scene& scene, const std::filesystem::path& file) {
+    try {
+        State<D> state = read_state<D>(scene, read_points(file, arrays_of_state()));
+        look(state);
+        return state;
+    } catch (const FrameError& error) {
+        throw UsageError(fmt::format("{}: {}", file.string(), error.what()));
+    } catch (const RunError& error) {
+        throw std::runtime_error(
+            fmt::format("{}: damaged, or of a run that had diverged: {}", file.string(), error.what()));
+    }
 }
 
 template <int D>
-void take_apart(const ContactOptions& options, const Scene& scene, const ChosenFrame& chosen) {
-    State<D> state;
-    try {
-        state = read_state<D>(scene, read_points(chosen.file, arrays_of_state()));
-    } catch (const FrameError& error) {
-        throw UsageError(fmt::format("{}: {}", chosen.file.string(), error.what()));
+void take_apart(const ContactOptions& options, const Scene& scene, const ChosenFrame& chosen,
+                const std::filesystem::path& folder) {
+    State<D> state = state_at<D>(scene, chosen.file);
+    const auto print_frame = [&] { fmt::print("frame {}, {}\n", chosen.number, format_time(state.time)); };
+    if (!options.node && !options.near) {
+        print_frame();
+        return print_disagreements(state);
     }
-    look(state);
-    fmt::print("frame {}, {}\n", chosen.number, format_time(state.time));
-    if (!options.node && !options.near) return print_disagreements(state);
     const Index<D> node = chosen_node(state, options, chosen.number);
+    make_node_folder(folder);
     const std::vector<NodeSeen<D>> seen = inspect_contact<D>(state, {node});
+    print_frame();
     fmt::print("node {} at {}; normals point from the first body to the second, * is the scene's own\n",
-               node_text<D>(node), place_text<D>(seen[0].position));
+               node_text<D>(node), place_text<D>(state.grid, seen[0].position));
     for (const PointSeen<D>& point : seen[0].points) print_point(state, point);
-    const std::filesystem::path folder = options.output.empty() ? options.results / "clouds" : options.output;
     const auto files = write_node_files<D>(state, seen, folder, node_file_suffix<D>(chosen.number, node));
     fmt::print("\nwritten: {}, {} and {}\n", files[0].string(), files[1].string(), files[2].string());
 }
@@ -232,16 +253,24 @@ int contact_command(const ContactOptions& options) {
     if (!scene.contact) throw UsageError("the scene has no \"contact\": bodies share one velocity field");
     if (!effects_of(scene).planes)
         throw UsageError("all interfaces of the scene are perfect: no normals and separations are found");
-    if (asks && options.output.empty() && scene.output.contact_clouds &&
-        scene.output.contact.every.value_or(scene.output.every) !=
-            scene.output.particles.every.value_or(scene.output.every))
+    const bool among_recorded = asks && options.output.empty() && scene.output.contact_clouds;
+    if (among_recorded && scene.output.contact.every.value_or(scene.output.every) !=
+                              scene.output.particles.every.value_or(scene.output.every))
         throw UsageError(
             "the run recorded clouds for frames of contact, which are not those of particles; name another "
             "folder with -o");
+    if (among_recorded && scene.output.single_precision)
+        throw UsageError("the run recorded clouds of its particles in double precision, and wrote the particles in "
+                         "single precision; name another folder with -o, so that no recorded file is replaced by a "
+                         "less precise one");
+    const std::filesystem::path folder = options.output.empty() ? options.results / "clouds" : options.output;
+    if (asks && std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+        throw UsageError(fmt::format("{}: is a file; a folder is needed (-o)", folder.string()));
     if (scene.output.single_precision)
         fmt::print(stderr, "abut: the particles were written in single precision: what is found from them differs from "
                            "the run's in about the 7th digit of places\n");
-    dimension(scene.analysis) == 3 ? take_apart<3>(options, scene, chosen) : take_apart<2>(options, scene, chosen);
+    dimension(scene.analysis) == 3 ? take_apart<3>(options, scene, chosen, folder)
+                                   : take_apart<2>(options, scene, chosen, folder);
     return 0;
 }
 

@@ -50,7 +50,9 @@ void add_render(CLI::App& program, RenderRequest& request, std::vector<double>& 
         ->transform(CLI::Transformer(styles).description(""))
         ->type_name("STYLE")
         ->group(what);
-    render->add_option("--bodies", options.bodies, "NAME,NAME...: only these, and their contacts")
+    render
+        ->add_option("--bodies", options.bodies,
+                     "NAME,NAME...: only these, and their contacts; also all bodies of one legend entry")
         ->delimiter(',')
         ->type_name("NAMES")
         ->group(what);
@@ -183,8 +185,8 @@ int run_program(int argc, char** argv) {
     ContactOptions contact_options;
     CLI::App* contact = program.add_subcommand("contact", "Takes a contact node of a result apart, method by method");
     contact->add_option("DIR", contact_options.results, "result folder")->required();
-    contact->add_option("--step", contact_options.step,
-                        "number of the frame, as in particles_0000N.vtu; default the last");
+    contact->add_option("--step,--frame", contact_options.step,
+                        "number of the frame (no time step), N of particles_0000N.vtu; default the last");
     CLI::Option* node = contact->add_option("--node", contact_options.node,
                                             "I,J[,K]: the node, by its numbers along the axes from grid/lower");
     contact->add_option("--near", contact_options.near, "X,Y[,Z]: the nearest contact node, e.g. 0.5mm,1mm")

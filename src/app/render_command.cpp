@@ -49,6 +49,7 @@ int render_command(const RenderRequest& request) {
         options.progress = [&](int done, int total) {
             if (bar) bar->update(done, total);
         };
+        options.note = [](const std::string& note) { fmt::print(stderr, "abut: {}\n", note); };
         files = render_series(request.results, options);
     } catch (const RenderRequestError& error) {
         throw UsageError(error.what());

@@ -1,6 +1,5 @@
 #include "app/run_files.h"
 
-#include "io/results/write_contact_clouds.h"
 #include "io/results/write_text.h"
 #include "results/interpenetration.h"
 
@@ -183,7 +182,7 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
     if (of_grid) write_to_series(grid(), "vti", grid_frame(state, grid().choice), reals_, write_grid);
     if (of_contact) write_to_series(contact(), "vtp", contact_frame(state, contact().choice), reals_, write_contact);
     if (of_contact && state.scene.output.contact_clouds)
-        write_contact_clouds(state, folder_, contact().frames - 1); // numbered as the pairs' frame
+        write_contact_clouds(state, folder_, contact().frames - 1, clouds_); // numbered as the pairs' frame
     write_all_pvd();
     return true;
 }

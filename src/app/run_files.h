@@ -4,6 +4,7 @@
 #include "io/render/live_picture.h"
 #include "io/results/csv.h"
 #include "io/results/pvd.h"
+#include "io/results/write_contact_clouds.h"
 #include "io/results/write_frame.h"
 #include "results/frames.h"
 #include "results/history.h"
@@ -70,6 +71,7 @@ private:
     CsvTable bodies_;
     std::optional<CsvTable> pairs_; ///< scenes with contact
     std::array<RunSeries, 3> series_;
+    CloudSeries clouds_; ///< scenes that take contact nodes apart
     std::optional<double> interpenetration_;
     std::optional<LivePicture> live_; ///< scenes that want one
     Schedule live_schedule_;          ///< when it is drawn: as the particles would be written

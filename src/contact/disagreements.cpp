@@ -8,7 +8,7 @@ namespace abut {
 
 namespace {
 
-/// For each of the scene's points, its normals by all methods that have a say.
+/// For each of the scene's points in use, its normals by all methods that have a say.
 template <int D>
 std::vector<std::vector<Vec<D>>> normals_by_method(State<D>& state, OtherSearch<D>& search) {
     const Contact<D>& own = search.contact();
@@ -17,13 +17,15 @@ std::vector<std::vector<Vec<D>>> normals_by_method(State<D>& state, OtherSearch<
         if (!search.applies(method)) continue;
         if (method == NormalMethod::own_gradient && search.spec().normal != method) continue;
         search.find(method, [](const Index<D>&) { return true; });
-        for (std::size_t g = 0; g < own.groups.size(); ++g)
-            for (std::int32_t i = own.groups[g].first_point; i < own.groups[g].last_lumped; ++i) {
+        for (std::size_t g = 0; g < own.groups.size(); ++g) {
+            const Range points = points_in_use(own.groups[g]);
+            for (std::int32_t i = points.first; i < points.last; ++i) {
                 const Match same = match(state.contact, state.contact.groups[g], own.points[i]);
                 if (same.point < 0) continue;
                 const Vec<D>& normal = state.contact.points[same.point].normal;
                 if (!normal.isZero(0)) normals[i].push_back(same.swapped ? Vec<D>(-normal) : normal);
             }
+        }
     }
     return normals;
 }
@@ -48,7 +50,8 @@ std::vector<Disagreement<D>> nodes_in_disagreement(State<D>& state, double angle
     std::vector<Disagreement<D>> found;
     for (const ContactGroup<D>& group : own.groups) {
         Disagreement<D> worst;
-        for (std::int32_t i = group.first_point; i < group.last_lumped; ++i) {
+        const Range points = points_in_use(group);
+        for (std::int32_t i = points.first; i < points.last; ++i) {
             const ContactPoint<D>& point = own.points[i];
             if (!(point.separation < reach)) continue;
             const double here = largest_angle(normals[i]);

@@ -91,9 +91,11 @@ struct Disagreement {
 /// force will act along their normals for many steps.
 inline constexpr double disagreement_reach = 0.1;
 
-/// Contact nodes at which the normals of two methods differ by more than an angle, the largest difference first. A
-/// method that finds no normal has no say, nor has `own-gradient`, which is a body's and not a pair's, unless it is the
-/// scene's own. Each method runs once over the whole grid. State as for inspect_contact().
+/// Contact nodes at which the normals of two methods differ by more than an angle, the largest difference first. Only
+/// points whose forces act have a say, those of contact.pvd: with `up-to-two`, at nodes where more than two pairs
+/// touch, the bodies lumped, elsewhere the pairs. (That is known during a run; a state that was read from a file has
+/// the pairs.) A method that finds no normal has no say, nor has `own-gradient`, which is a body's and not a pair's,
+/// unless it is the scene's own. Each method runs once over the whole grid. State as for inspect_contact().
 template <int D>
 std::vector<Disagreement<D>> nodes_in_disagreement(State<D>& state, double angle);
 

@@ -44,6 +44,48 @@ constexpr std::array<ArrayInfo, 9> of_contacts{{
     {"iterations", 1, "", "Iterations of the regression; 0 without one."},
 }};
 
+constexpr ArrayInfo node_of_cell{"node", 3, "", "Numbers of the node along the axes, from `grid/lower`."};
+constexpr ArrayInfo pair_of_cell{"pair", 1, "", "Number of the pair of bodies at its node, from 0."};
+constexpr ArrayInfo body_a_of_cell{"body_a", 1, "", "Number of the pair's first body."};
+constexpr ArrayInfo body_b_of_cell{"body_b", 1, "",
+                                   "Number of the second; of several lumped the one with the most mass."};
+
+constexpr std::array<ArrayInfo, 12> of_clouds{{
+    node_of_cell,
+    pair_of_cell,
+    body_a_of_cell,
+    body_b_of_cell,
+    {"body", 1, "", "Number of the particle's body."},
+    {"id", 1, "", "Number of the particle."},
+    {"distance", 1, "m",
+     "Of its centre to the plane of the scene's own method, positive on the side of `body_b`; NaN without a plane."},
+    {"edge_distance", 1, "m", "From its centre to its edge along the normal; NaN without a plane."},
+    {"support", 1, "", "1 if its side ends with it, else 0."},
+    {"deformation_gradient", 9, "", "F, row by row: xx xy xz yx yy yz zx zy zz."},
+    {"half_size", 3, "m", "Half of the undeformed particle's edges."},
+    {"centre", 3, "m", "Place of the particle."},
+}};
+
+constexpr std::array<ArrayInfo, 17> of_planes{{
+    node_of_cell,
+    pair_of_cell,
+    body_a_of_cell,
+    body_b_of_cell,
+    {"normal", 3, "", "Unit normal from `body_a` to `body_b`, as a step would use it."},
+    {"fitted_normal", 3, "", "The normal as the method found it, before `particle-edges` turned it."},
+    {"separation_particle_edges", 1, "m", "Separation along the normal by `particle-edges`, negative in overlap."},
+    {"separation_critical_position", 1, "m", "By `critical-position`."},
+    {"separation_fitted_position", 1, "m", "By `fitted-position`."},
+    {"separation_displacement", 1, "m", "By `displacement`."},
+    {"end_a", 1, "m", "Where the particles of `body_a` end along the normal, from the node."},
+    {"end_b", 1, "m", "Where those of `body_b` begin."},
+    {"iterations", 1, "", "Iterations of the regression; 0 without one."},
+    {"angle", 1, "rad", "To the normal of the scene's own method."},
+    {"method", 1, "", "Number of the normal method; its name is in the field data `method_names`."},
+    {"chosen", 1, "", "1 for the scene's own method, else 0."},
+    {"lumped", 1, "", "1 if `body_a` is against all others, else 0."},
+}};
+
 } // namespace
 
 std::span<const ArrayInfo> particle_arrays() {
@@ -58,8 +100,16 @@ std::span<const ArrayInfo> contact_arrays() {
     return of_contacts;
 }
 
+std::span<const ArrayInfo> cloud_arrays() {
+    return of_clouds;
+}
+
+std::span<const ArrayInfo> plane_arrays() {
+    return of_planes;
+}
+
 std::string_view unit_of_array(std::string_view name) {
-    for (const auto& arrays : {particle_arrays(), grid_arrays(), contact_arrays()})
+    for (const auto& arrays : {particle_arrays(), grid_arrays(), contact_arrays(), cloud_arrays(), plane_arrays()})
         for (const ArrayInfo& array : arrays)
             if (array.name == name) return array.unit;
     return "";

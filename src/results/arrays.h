@@ -24,7 +24,11 @@ std::span<const ArrayInfo> grid_arrays();
 /// Arrays of contact.pvd.
 std::span<const ArrayInfo> contact_arrays();
 
-/// Unit of the array of that name in any of the series; "" if there is none.
+/// Arrays of the cells of cloud_….vtu and plane_….vtp (io/results/write_contact_clouds.h).
+std::span<const ArrayInfo> cloud_arrays();
+std::span<const ArrayInfo> plane_arrays();
+
+/// Unit of the array of that name in any of these; "" if there is none.
 std::string_view unit_of_array(std::string_view name);
 
 } // namespace abut

@@ -8,7 +8,7 @@ namespace {
 
 /// Cells with the values of their arrays.
 struct Cells {
-    SurfaceFrame frame;
+    CellFrame frame;
     std::vector<std::int32_t> boundary, axis;
     std::vector<double> velocity, traction;
 
@@ -109,7 +109,7 @@ void put_lines_first(Cells& cells) {
 } // namespace
 
 template <int D>
-SurfaceFrame boundary_frame(const State<D>& state) {
+CellFrame boundary_frame(const State<D>& state) {
     Cells cells;
     cells.frame.time = state.time;
     Words names{"boundary_names", {}};
@@ -122,7 +122,7 @@ SurfaceFrame boundary_frame(const State<D>& state) {
         if (const auto* faces = std::get_if<TractionSpec>(&condition)) add_faces(cells, state, number, *faces);
     }
     put_lines_first(cells);
-    SurfaceFrame frame = std::move(cells.frame);
+    CellFrame frame = std::move(cells.frame);
     frame.arrays = {{"boundary", 1, std::move(cells.boundary), ""},
                     {"axis", 1, std::move(cells.axis), ""},
                     {"velocity", 3, std::move(cells.velocity), "m/s"},
@@ -131,7 +131,7 @@ SurfaceFrame boundary_frame(const State<D>& state) {
     return frame;
 }
 
-template SurfaceFrame boundary_frame<2>(const State<2>&);
-template SurfaceFrame boundary_frame<3>(const State<3>&);
+template CellFrame boundary_frame<2>(const State<2>&);
+template CellFrame boundary_frame<3>(const State<3>&);
 
 } // namespace abut

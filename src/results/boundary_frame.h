@@ -10,6 +10,6 @@ namespace abut {
 /// `boundary_names`), `axis` (across which a wall or a face lies; -1 for velocity conditions), `velocity` at the
 /// state's time [m/s], zero for tractions, and `traction` [Pa], pressure included, zero for all others.
 template <int D>
-SurfaceFrame boundary_frame(const State<D>& state);
+CellFrame boundary_frame(const State<D>& state);
 
 } // namespace abut

@@ -34,25 +34,14 @@ struct PointFrame {
     std::vector<Words> words;   ///< field data
 };
 
-/// Lines and flat polygons with arrays (VTP) at one time.
-struct SurfaceFrame {
+/// Cells with arrays at one time: lines and flat polygons (VTP), domains of particles (VTU).
+struct CellFrame {
     double time = 0;
     std::vector<double> points;                   ///< 3 coordinates a point [m]
-    std::vector<std::vector<std::int32_t>> cells; ///< their points: two are a line, more a polygon; lines come first
+    std::vector<std::vector<std::int32_t>> cells; ///< numbers of their corners' points, in VTK's order
     std::vector<Array> arrays;                    ///< cell data
     std::vector<Array> globals;                   ///< field data, as of PointFrame
     std::vector<Words> words;                     ///< field data
-};
-
-/// Cells of one kind with arrays: domains of particles (VTU), planes (VTU, VTP).
-struct CellFrame {
-    double time = 0;
-    std::vector<double> points; ///< corners, 3 coordinates each [m]
-    int corners = 4;            ///< of a cell: 2 a segment, 4 a quadrilateral, 8 a hexahedron (VTK's order)
-    std::vector<std::int32_t> corner_points; ///< numbers of the corners' points, cell after cell
-    std::vector<Array> arrays;               ///< cell data
-    std::vector<Array> globals;              ///< field data
-    std::vector<Words> words;                ///< field data
 };
 
 /// The grid's nodes with arrays (VTI) at one time; x runs fastest.

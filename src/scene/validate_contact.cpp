@@ -110,6 +110,10 @@ void validate_contact(const Scene& scene, Problems& problems) {
     demand(bodies == 0 || rigid < bodies, "/bodies", "all bodies are rigid; nothing is left to compute", problems);
 
     check_clouds(scene, problems);
+    const OutputSpec& output = scene.output;
+    demand(scene.contact || !output.live || (output.live_preset != "contact" && output.live_preset != "normals"),
+           "/output/live_preset", "\"" + output.live_preset + "\" shows contact, of which this scene has none",
+           problems);
     if (!scene.contact) return;
     const ContactSpec& contact = *scene.contact;
     demand(contact.corrections == 1 || contact.corrections == 2, "/contact/corrections", "must be 1 or 2", problems);

@@ -3,12 +3,14 @@
 
 #include "io/results/pvd.h"
 #include "io/results/read_frame.h"
+#include "io/results/write_frame.h"
 #include "results/frame.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <tuple>
 
 namespace abut::app_test {
 namespace {
@@ -56,7 +58,8 @@ TEST_F(ContactCommand, ListsNodesInDisagreement) {
     const Outcome last = contact({});
     EXPECT_EQ(last.exit_code, 0) << last.err;
     EXPECT_THAT(last.out, AllOf(HasSubstr("frame 4, 400 us"), HasSubstr("contact nodes")));
-    const Outcome outcome = contact({"--step", "1"});
+    const Outcome outcome = contact({"--frame", "1"});
+    EXPECT_EQ(contact({"--step", "1"}).out, outcome.out);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("frame 1, 10"), HasSubstr("contact nodes"), HasSubstr("block / ball"),
@@ -128,6 +131,36 @@ TEST_F(ContactCommand, FindsWhatTheRunRecorded) {
         }
 }
 
+TEST_F(ContactCommand, FoldersThatCannotBeMade) {
+    folder()->write("afile", "mine");
+    for (const auto& [target, exit_code, message] :
+         {std::tuple{"afile", 2, "abut: afile: is a file; a folder is needed (-o)\n"},
+          {"/dev/full", 2, "abut: /dev/full: is a file; a folder is needed (-o)\n"},
+          {"afile/below", 1, "abut: afile/below: Not a directory\n"},
+          {"/proc/none", 1, "abut: /proc/none: No such file or directory\n"}}) {
+        const Outcome outcome = contact({"--near", "6mm,4mm", "-o", target});
+        EXPECT_EQ(outcome.exit_code, exit_code) << target;
+        EXPECT_EQ(outcome.out, "") << target;
+        EXPECT_EQ(outcome.err, message);
+    }
+    EXPECT_EQ(folder()->read("afile"), "mine");
+}
+
+TEST_F(ContactCommand, DamagedFrameIsNamed) {
+    namespace fs = std::filesystem;
+    const Folder other;
+    fs::copy(*folder() / "r", other / "r", fs::copy_options::recursive);
+    PointFrame frame = read_points(other / "r/particles/particles_00003.vtu");
+    frame.points[3 * 7] = 1e3; // m
+    write_particles(other / "r/particles/particles_00003.vtu", frame);
+    const Outcome outcome = other.abut({"contact", "r", "--step", "3"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(lines(outcome.err),
+                testing::ElementsAre(testing::StartsWith("abut: r/particles/particles_00003.vtu: damaged, or of a run "
+                                                         "that had diverged: ")));
+}
+
 TEST_F(ContactCommand, RecordingChangesNothingElse) {
     folder()->write("plain.json", small_scene().dump());
     ASSERT_EQ(folder()->abut({"run", "plain.json", "-o", "plain"}).exit_code, 0);
@@ -146,10 +179,10 @@ TEST_F(ContactCommand, RefusesWhatIsNotThere) {
         EXPECT_EQ(outcome.exit_code, 2) << message;
         EXPECT_THAT(outcome.err, AllOf(testing::StartsWith("abut: "), HasSubstr(message)));
     };
-    expect_error({"contact", "nowhere"}, "\"nowhere\" is not a result folder");
-    expect_error({"contact", "empty"}, "\"empty\" is not a result folder");
-    expect_error({"contact", "half"}, "\"half\" has no particles.pvd");
-    expect_error({"contact", "r", "--step", "5"}, "--step 5: there is no such frame; there are 0 to 4");
+    expect_error({"contact", "nowhere"}, "nowhere: no such folder");
+    expect_error({"contact", "empty"}, "empty: no scene.json");
+    expect_error({"contact", "half"}, "half: no particles.pvd");
+    expect_error({"contact", "r", "--step", "5"}, "no frame 5; there are 0 to 4");
     expect_error({"contact", "r", "--step", "-1"}, "there are 0 to 4");
     expect_error({"contact", "r", "--node", "6"}, "--node 6: 2 values are needed");
     expect_error({"contact", "r", "--node", "6,4,1"}, "2 values are needed");
@@ -164,40 +197,6 @@ TEST_F(ContactCommand, RefusesWhatIsNotThere) {
     expect_error({"contact", "r", "-o", "x"}, "-o needs a node");
     EXPECT_EQ(folder()->abut({"contact", "r", "--node", "6,4", "--near", "0,0"}).exit_code, 2);
     EXPECT_EQ(folder()->content(), before);
-}
-
-TEST(ContactCommandOn, ResultsThatCannotTell) {
-    const Folder folder;
-    const auto outcome_of = [&](const std::string& patch) {
-        folder.write("s.json", small_scene({patch, R"({"time": {"end": "10 us"}, "output": {"every": 0}})"}).dump());
-        const Outcome run = folder.abut({"run", "s.json", "-o", "r", "--overwrite"});
-        EXPECT_EQ(run.exit_code, 0) << run.err;
-        return folder.abut({"contact", "r"});
-    };
-    const auto expect_error = [&](const std::string& patch, const std::string& message) {
-        const Outcome outcome = outcome_of(patch);
-        EXPECT_EQ(outcome.exit_code, 2) << message;
-        EXPECT_THAT(outcome.err, HasSubstr(message));
-    };
-    expect_error(R"({"contact": null})", "the scene has no \"contact\"");
-    expect_error(R"({"contact": {"law": {"type": "perfect", "coefficient": null}}})", "perfect");
-    expect_error(R"({"output": {"particles": false}})", "has no particles.pvd");
-}
-
-TEST(ContactCommandOn, BodiesFarApart) {
-    const Folder folder;
-    folder.write("s.json", small_scene({R"({"bodies": [
-        {"name": "a", "material": "rubber", "box": {"lower": [0, 0], "upper": ["2 mm", "2 mm"]}},
-        {"name": "b", "material": "rubber", "box": {"lower": ["8 mm", "8 mm"], "upper": ["10 mm", "10 mm"]}}],
-        "time": {"end": "10 us"}, "output": {"every": 0}})"})
-                               .dump());
-    ASSERT_EQ(folder.abut({"run", "s.json", "-o", "r"}).exit_code, 0);
-    const Outcome list = folder.abut({"contact", "r"});
-    EXPECT_EQ(list.exit_code, 0);
-    EXPECT_THAT(list.out, HasSubstr("0 contact nodes"));
-    const Outcome node = folder.abut({"contact", "r", "--near", "0,0"});
-    EXPECT_EQ(node.exit_code, 2);
-    EXPECT_THAT(node.err, HasSubstr("no node of frame 1 sees two bodies"));
 }
 
 TEST_F(ContactCommand, OverwriteRemovesRecordedFilesOnly) {
@@ -218,37 +217,6 @@ TEST_F(ContactCommand, OverwriteRemovesRecordedFilesOnly) {
         left.insert(entry.path().filename().string());
     EXPECT_EQ(left,
               (std::set<std::string>{"cloud_mine.vtu", "node_00000_6_4.txt", "plane_.vtp", "cloud_00000_6_.vtu"}));
-}
-
-TEST(ContactCloudsOfAScene, AreValidated) {
-    const Folder folder;
-    const auto error_of = [&](const std::string& patch) {
-        folder.write("s.json", small_scene({patch}).dump());
-        const Outcome outcome = folder.abut({"check", "s.json"});
-        EXPECT_EQ(outcome.exit_code, 2) << patch;
-        return outcome.err;
-    };
-    const auto clouds = [](const std::string& text) { return R"({"output": {"contact_clouds": )" + text + "}}"; };
-    EXPECT_THAT(error_of(clouds("{}")), HasSubstr("/output/contact_clouds: names no nodes"));
-    EXPECT_THAT(error_of(clouds(R"({"nodes": [[3, 13]]})")),
-                HasSubstr("/output/contact_clouds/nodes/0/1: outside the grid, whose nodes along y are 0 to 12"));
-    EXPECT_THAT(error_of(clouds(R"({"nodes": [[3, 3], [3, 3, 3]]})")),
-                HasSubstr("/output/contact_clouds/nodes/1: must have 2 numbers in a plane scene"));
-    EXPECT_THAT(error_of(clouds(R"({"nodes": [[-1, 3]]})")), HasSubstr("/output/contact_clouds/nodes/0/0"));
-    EXPECT_THAT(error_of(clouds(R"({"nodes": [[99999999999, 3]]})")), HasSubstr("/output/contact_clouds/nodes/0/0"));
-    EXPECT_THAT(error_of(clouds(R"({"nodes": [7, "x"]})")),
-                AllOf(HasSubstr("/output/contact_clouds/nodes/0"), HasSubstr("/output/contact_clouds/nodes/1")));
-    EXPECT_THAT(error_of(clouds(R"({"near": [["3 mm"]]})")), HasSubstr("/output/contact_clouds/near/0"));
-    EXPECT_THAT(error_of(clouds(R"({"disagreement": "3 mm"})")), HasSubstr("an angle"));
-    EXPECT_THAT(error_of(R"({"contact": null, "output": {"contact_clouds": {"disagreement": "5 deg"}}})"),
-                HasSubstr("/output/contact_clouds: the scene has no \"contact\""));
-    EXPECT_THAT(error_of(R"({"output": {"contact": false, "contact_clouds": {"disagreement": "5 deg"}}})"),
-                HasSubstr("/output/contact_clouds: is written with the frames of contact pairs"));
-    EXPECT_THAT(error_of(R"({"contact": {"law": {"type": "perfect", "coefficient": null}},
-                             "output": {"contact_clouds": {"disagreement": "5 deg"}}})"),
-                HasSubstr("/output/contact_clouds: all interfaces are perfect"));
-    folder.write("s.json", small_scene({clouds(R"({"nodes": [[12, 12], [0, 0]]})")}).dump());
-    EXPECT_EQ(folder.abut({"check", "s.json"}).exit_code, 0);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include <sys/mount.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <vtkImageData.h>
@@ -65,7 +66,7 @@ int expect_whole_results(const fs::path& results) {
             const std::string text = Folder().read(file.string());
             EXPECT_TRUE(text.empty() || text.back() == '\n') << file << " ends with " << text.substr(text.rfind('\n'));
             if (!text.empty()) {
-                EXPECT_NO_THROW(read_csv(file, {"body", "body_a", "body_b"})) << file;
+                EXPECT_NO_THROW(read_csv(file, {"body", "body_a", "body_b", "method"})) << file;
             }
         } else if (extension == ".png") {
             vtkNew<vtkPNGReader> reader;
@@ -78,7 +79,7 @@ int expect_whole_results(const fs::path& results) {
         }
         if (extension != ".pvd") continue;
         for (const PvdEntry& frame : read_pvd(file).entries)
-            EXPECT_TRUE(fs::is_regular_file(results / frame.file)) << frame.file;
+            EXPECT_TRUE(fs::is_regular_file(file.parent_path() / frame.file)) << file << ": " << frame.file;
     }
     return files;
 }
@@ -110,6 +111,24 @@ TEST(FullDisk, RunLeavesWholeFiles) {
     EXPECT_EQ(folder.abut({"run", "scene.json", "-o", "disk/results", "--quiet"}).exit_code, 0);
 }
 
+TEST(FullDisk, RecordedContactNodesAreWhole) {
+    const Folder folder;
+    folder.write("scene.json", small_scene({R"({"output": {"every": "20 us", "particles": false, "grid": false,
+        "contact_clouds": {"near": [["6 mm", "4 mm"]], "disagreement": "5 deg"}}})"})
+                                   .dump());
+    std::size_t clouds = 0;
+    for (const int kilobytes : {40, 60, 80, 100, 130, 160, 200}) {
+        SCOPED_TRACE(std::to_string(kilobytes) + " kB");
+        const SmallDisk disk(folder / "disk", kilobytes);
+        if (!disk.cause().empty()) GTEST_SKIP() << "no tmpfs can be mounted: " << disk.cause();
+        expect_full_disk(folder.abut({"run", "scene.json", "-o", "disk/results", "--quiet"}), "disk/results");
+        expect_whole_results(folder / "disk/results");
+        const fs::path series = folder / "disk/results/clouds/cloud_near_0.pvd";
+        if (fs::exists(series)) clouds += read_pvd(series).entries.size();
+    }
+    EXPECT_GT(clouds, 3U);
+}
+
 TEST(FullDisk, RunWithFilesThatMayNotGrowLeavesWholeFiles) {
     const Folder folder; // ulimit -f: needs no root
     folder.write("scene.json", scene());
@@ -135,11 +154,21 @@ const std::vector<Arguments>& writing_commands() {
     return commands;
 }
 
+/// Commands that write an animation there; their pictures go elsewhere.
+std::vector<Arguments> animating_commands() {
+    std::vector<Arguments> commands;
+    for (const char* name : {"disk/f.ogv", "disk/f.apng"})
+        commands.push_back({"render", "results", "-o", "frames", "--animation", name});
+    return commands;
+}
+
 TEST(FullDisk, PicturesAreWholeOrNotThere) {
     const Folder folder;
     folder.write("scene.json", small_scene().dump());
     ASSERT_EQ(folder.abut({"run", "scene.json", "-o", "results", "--quiet"}).exit_code, 0);
-    for (const Arguments& command : writing_commands())
+    std::vector<Arguments> commands = writing_commands();
+    for (const Arguments& command : animating_commands()) commands.push_back(command);
+    for (const Arguments& command : commands)
         for (const int kilobytes : {4, command[0] == "particles" ? 12 : 36}) {
             SCOPED_TRACE(command[0] + " on " + std::to_string(kilobytes) + " kB");
             const SmallDisk disk(folder / "disk", kilobytes);
@@ -164,6 +193,30 @@ TEST(FullDisk, PicturesThatMayNotGrowAreWholeOrNotThere) {
                         testing::ElementsAre(AllOf(StartsWith("abut: disk/"), EndsWith("File too large"))));
             expect_whole_results(folder / "disk");
         }
+}
+
+TEST(FullDisk, AnimationsThatMayNotGrowLeaveTheOldOnes) {
+    const Folder folder; // a limit that all pictures keep
+    folder.write("scene.json", small_scene().dump());
+    ASSERT_EQ(folder.abut({"run", "scene.json", "-o", "results", "--quiet"}).exit_code, 0);
+    fs::create_directories(folder / "disk");
+    for (const Arguments& command : animating_commands()) {
+        const std::string& name = command.back();
+        ASSERT_EQ(folder.abut(command).exit_code, 0) << name;
+        const std::string whole = folder.read(name);
+        std::size_t largest = 0;
+        for (const auto& picture : fs::directory_iterator(folder / "frames"))
+            largest = std::max<std::size_t>(largest, picture.file_size());
+        ASSERT_LT(largest, whole.size() - 1);
+        for (const std::size_t limit : {largest, whole.size() - 1}) {
+            SCOPED_TRACE(name + " of at most " + std::to_string(limit));
+            const Outcome outcome = folder.abut(command, limit);
+            EXPECT_EQ(outcome.exit_code, 1);
+            EXPECT_THAT(lines(outcome.err),
+                        testing::ElementsAre(AllOf(StartsWith("abut: " + name), EndsWith("File too large"))));
+            EXPECT_TRUE(folder.read(name) == whole);
+        }
+    }
 }
 
 TEST(FullDisk, DevicesAreNoPlaceForFolders) {

@@ -158,7 +158,7 @@ TEST(Render, DrawsEveryFrame) {
     const Outcome outcome = folder.abut({"render", "results", "--width", "300"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("3 pictures"));
-    const Image picture = read_image(folder / "results/frames/body/frame_00002.png");
+    const Image picture = read_image(folder / "results/frames/bodies/frame_00002.png");
     EXPECT_EQ(picture.width, 300);
     std::set<std::array<int, 3>> colours;
     for (int row = 0; row < picture.height; ++row)

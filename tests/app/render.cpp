@@ -80,7 +80,29 @@ TEST(AppRender, WhatIsWrongIsSaidAndNothingDrawn) {
     expect({"--particles", "discs"}, 2, "--particles");
     expect({"--range", "1", "2", "--percentile", "99"}, 2, "not both");
     expect({"--jobs", "0"}, 2, "--jobs");
+    expect({"--range", "-inf", "inf"}, 2, "must be finite");
+    expect({"--region", "0,0,inf,1"}, 2, "must be finite");
+    expect({"--region", "0,0,1e300,1e300"}, 2, "nothing would be seen");
+    expect({"--region", "1,1,2,2"}, 2, "outside the grid");
+    expect({"--animation", "results"}, 2, "results");
     expect({"-o", "scene.json/pictures"}, 1, "scene.json/pictures: ");
+}
+
+TEST(AppRender, FramesWithoutContactPairsAreTold) {
+    const Folder folder;
+    run_small_scene(folder, {R"({"output": {"every": "20 us", "contact_every": "40 us"}})"});
+    const Arguments command{"render", "results", "--preset", "contact", "--width", "200", "-o", "p"};
+    const Outcome all = folder.abut(command);
+    EXPECT_EQ(all.exit_code, 0) << all.err;
+    ASSERT_EQ(lines(all.err).size(), 1u);
+    EXPECT_THAT(all.err, HasSubstr("frames are not drawn: results/contact.pvd has no frame at their times"));
+    EXPECT_EQ(folder.content().count("p/frame_00002.png"), 1u);
+    EXPECT_EQ(folder.content().count("p/frame_00001.png"), 0u);
+    Arguments one = command;
+    one.insert(one.end(), {"--frames", "1"});
+    const Outcome outcome = folder.abut(one);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("frame 1: results/contact.pvd has no frame at its time (contact_every)"));
 }
 
 TEST(AppRender, AFileThatAWorkerFindsBrokenIsNamed) {

@@ -2,6 +2,10 @@
 
 #include "contact_inspect.h"
 
+#include <map>
+#include <set>
+#include <tuple>
+
 namespace {
 
 using namespace test;
@@ -72,6 +76,40 @@ TEST(Disagreements, AreThoseOfTheRowsSideBySide) {
             }
         }
     }
+}
+
+/// With up-to-two a node has points of pairs and of bodies lumped; forces act at one kind only, that of contact.pvd.
+TEST(Disagreements, AreOfPointsWhoseForcesAct) {
+    State<2> state =
+        random_bodies<2>(NormalMethod::logistic_regression, SeparationMethod::particle_edges, ThreeOrMore::up_to_two);
+    const Vec<2> together[] = {{0.3, 0.1}, {-0.3, 0.1}, {0, -0.4}};
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        state.particles.velocity[p] = together[state.particles.body[p]];
+    std::size_t lumped = 0, pairs = 0, compared = 0;
+    int steps = 0;
+    run(state, 1, [&] {
+        if (++steps % 3) return;
+        look(state);
+        std::map<Index<2>, std::set<std::tuple<int, int, double>>> in_use;
+        for (const ContactGroup<2>& group : state.contact.groups) {
+            const bool both = group.first_lumped < group.last_lumped;
+            lumped += both && group.uses_lumped;
+            pairs += both && !group.uses_lumped;
+            for (std::int32_t i = group.uses_lumped ? group.first_lumped : group.first_point;
+                 i < (group.uses_lumped ? group.last_lumped : group.last_point); ++i) {
+                const ContactPoint<2>& point = state.contact.points[i];
+                in_use[in_scene<2>(group.node)].insert({point.body_a, point.body_b, point.separation});
+            }
+        }
+        for (const Disagreement<2>& one : nodes_in_disagreement(state, 0)) {
+            EXPECT_TRUE(in_use[one.node].count({one.body_a, one.body_b, one.separation}))
+                << one.node[0] << " " << one.node[1] << " " << one.body_a << " " << one.body_b;
+            ++compared;
+        }
+    });
+    EXPECT_GT(lumped, 0U);
+    EXPECT_GT(pairs, 0U);
+    EXPECT_GT(compared, 10U);
 }
 
 TEST(Disagreements, AreNoneWhereAllAgreeOrBodiesAreFarApart) {

@@ -9,13 +9,13 @@ namespace {
 using namespace test;
 
 template <class Value>
-const std::vector<Value>& values(const SurfaceFrame& frame, const std::string& name) {
+const std::vector<Value>& values(const CellFrame& frame, const std::string& name) {
     for (const Array& array : frame.arrays)
         if (array.name == name) return std::get<std::vector<Value>>(array.values);
     throw std::runtime_error("no array " + name);
 }
 
-std::vector<Vector> corners(const SurfaceFrame& frame, std::size_t cell) {
+std::vector<Vector> corners(const CellFrame& frame, std::size_t cell) {
     std::vector<Vector> points;
     for (const std::int32_t p : frame.cells[cell])
         points.push_back({frame.points[3 * p], frame.points[3 * p + 1], frame.points[3 * p + 2]});
@@ -38,7 +38,7 @@ TEST(BoundaryFrame, OfAPlaneScene) {
     Model model;
     add_box(model, add_body(model, "block"), 0, 1, 2, 2, 4, 2);
     const State<2> state = make_state<2>(scene, model);
-    const SurfaceFrame frame = boundary_frame(state);
+    const CellFrame frame = boundary_frame(state);
 
     EXPECT_THAT(frame.words[0].values, testing::ElementsAre("right", "held", "top", "floor"));
     ASSERT_EQ(frame.cells.size(), 1U + 4U + 4U + 1U);
@@ -82,7 +82,7 @@ TEST(BoundaryFrame, OfASceneInSpaceHasLinesBeforePolygons) {
     scene.boundaries.push_back({"push", traction});
     Model model;
     add_cube(model, add_body(model, "cube"), {1, 1, 1}, 1, 2);
-    const SurfaceFrame frame = boundary_frame(make_state<3>(scene, model));
+    const CellFrame frame = boundary_frame(make_state<3>(scene, model));
 
     ASSERT_EQ(frame.cells.size(), 12U + 1U + 4U);
     const auto& boundary = values<std::int32_t>(frame, "boundary");
@@ -108,7 +108,7 @@ TEST(BoundaryFrame, WallsMoveWithTheTime) {
     add_box(model, add_body(model, "block"), 2, 1, 3, 2, 2, 2);
     State<2> state = make_state<2>(scene, model);
     state.time = 2;
-    const SurfaceFrame frame = boundary_frame(state);
+    const CellFrame frame = boundary_frame(state);
     EXPECT_EQ(frame.time, 2);
     EXPECT_DOUBLE_EQ(frame.points[0], 1 + 2.0);
     EXPECT_DOUBLE_EQ(values<double>(frame, "velocity")[0], 2);
@@ -117,7 +117,7 @@ TEST(BoundaryFrame, WallsMoveWithTheTime) {
 TEST(BoundaryFrame, OfNoBoundaries) {
     Model model;
     add_box(model, add_body(model, "block"), 2, 1, 3, 2, 2, 2);
-    const SurfaceFrame frame = boundary_frame(make_state<2>(plane_scene(1, 0, 0, 4, 4, material(1, 100, 40)), model));
+    const CellFrame frame = boundary_frame(make_state<2>(plane_scene(1, 0, 0, 4, 4, material(1, 100, 40)), model));
     EXPECT_TRUE(frame.cells.empty());
     EXPECT_EQ(frame.arrays.size(), 4U);
 }

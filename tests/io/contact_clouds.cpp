@@ -3,7 +3,9 @@
 #include "contact_clouds_support.h"
 #include "io/results/pvd.h"
 #include "io/results/write_contact_clouds.h"
+#include "io/results/write_text.h"
 #include "io/scene/words.h"
+#include "results/arrays.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -179,6 +181,30 @@ TEST(ContactClouds, AreReadBackAsWrittenInSpace) {
     check_files<3>();
 }
 
+/// The reference page and the files are of one table.
+TEST(ContactClouds, HaveTheArraysOfTheReferencePage) {
+    State<2> state = pressed<2>();
+    const std::vector<NodeSeen<2>> nodes = inspect_contact<2>(state, all_nodes(state));
+    const auto expect = [](const std::vector<Array>& arrays, std::span<const ArrayInfo> table) {
+        ASSERT_EQ(arrays.size(), table.size());
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            EXPECT_EQ(arrays[i].name, table[i].name);
+            EXPECT_EQ(arrays[i].components, table[i].components) << table[i].name;
+            EXPECT_EQ(arrays[i].unit, table[i].unit) << table[i].name;
+            EXPECT_NE(table[i].meaning, "") << table[i].name;
+        }
+    };
+    expect(cloud_frame(state, nodes).arrays, cloud_arrays());
+    expect(plane_frame(state, nodes).arrays, plane_arrays());
+    for (const auto& [name, unit] : {std::pair{"angle", "rad"},
+                                     {"end_a", "m"},
+                                     {"separation_displacement", "m"},
+                                     {"centre", "m"},
+                                     {"edge_distance", "m"},
+                                     {"lumped", ""}})
+        EXPECT_EQ(unit_of_array(name), unit) << name;
+}
+
 TEST(ContactClouds, TableHasARowForEachMethod) {
     State<2> state = pressed<2>();
     const std::vector<NodeSeen<2>> nodes = inspect_contact<2>(state, {all_nodes(state).at(2)});
@@ -245,15 +271,19 @@ TEST(ContactClouds, SeriesOfARunListWhatWasWritten) {
     spec.disagreement = 0.02;
     const auto first_near = *nearest_contact_node<2>(state, {2.9, 4.4});
     const double first_time = state.time;
-    write_contact_clouds(state, folder.path, 4);
+    CloudSeries of_first_run, of_resumed_run;
+    write_contact_clouds(state, folder.path, 4, of_first_run);
     auto tasks = step_tasks<2>(state.scene);
     for (int step = 0; step < 3; ++step) {
         state.dt = next_step(state, 100);
         advance(state, tasks);
     }
     look(state);
-    write_contact_clouds(state, folder.path, 5);
-    write_contact_clouds(state, folder.path, 5); // a resumed run comes by again
+    write_contact_clouds(state, folder.path, 5, of_first_run);
+    write_contact_clouds(state, folder.path, 5, of_resumed_run); // comes by again
+    // A run under way knows its series, and doesn't read them again.
+    write_text_atomically(folder / "clouds/cloud_disagreement.pvd", "broken");
+    write_contact_clouds(state, folder.path, 5, of_resumed_run);
     const auto suffix = [](const Index<2>& node) { return node_file_suffix<2>(4, node); };
     EXPECT_EQ(suffix({-1, 12}), "00004_-1_12");
     const auto check = [&](const std::string& name, const std::string& first) {

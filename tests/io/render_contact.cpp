@@ -110,9 +110,72 @@ TEST(RenderContact, ArrowsAreNoLongerThanNodesAreApart) {
 TEST(RenderContact, NoPairsGiveAPicture) {
     TemporaryFolder folder;
     const fs::path results = write_series(folder);
-    PvdSeries{folder / "contact.pvd", {}}.append(1, "c0.vtp"); // none at the time of the particles
+    PointFrame none = contacts();
+    none.points.clear();
+    for (Array& array : none.arrays) std::visit([](auto& values) { values.clear(); }, array.values);
+    write_contact(folder / "c0.vtp", none);
     RenderOptions options;
     options.preset = "contact";
+    EXPECT_EQ(render_series(results, options).size(), 1u);
+}
+
+TEST(RenderContact, FramesWithoutPairsOfTheirTimeAreLeftOutOrRefused) {
+    TemporaryFolder folder;
+    const fs::path results = write_series(folder);
+    PvdSeries series{folder / "particles.pvd", {}}, pairs{folder / "contact.pvd", {}};
+    for (const double time : {0.0, 1.0, 2.0, 3.0}) series.append(time, "p0.vtu");
+    for (const double time : {0.0, 1.5, 3.0}) pairs.append(time, "c0.vtp");
+    for (const char* preset : {"contact", "normals"}) {
+        std::vector<std::string> notes;
+        RenderOptions options;
+        options.preset = preset;
+        options.width = 200;
+        options.note = [&](const std::string& note) { notes.push_back(note); };
+        const auto files = render_series(results, options);
+        ASSERT_EQ(files.size(), 2u);
+        EXPECT_EQ(files[1].filename(), "frame_00003.png");
+        EXPECT_THAT(notes, testing::ElementsAre(testing::AllOf(HasSubstr("2 of 4 frames"),
+                                                               HasSubstr("contact.pvd has no frame"),
+                                                               HasSubstr("contact_every"))));
+        options.last_only = true;
+        EXPECT_EQ(render_series(results, options).size(), 1u);
+        options.last_only = false;
+        options.frames = std::vector<int>{0, 2};
+        options.output = folder / "none";
+        EXPECT_THAT(error_of([&] { render_series(results, options); }), HasSubstr("frame 2: "));
+        EXPECT_THROW(render_series(results, options), RenderRequestError);
+        EXPECT_FALSE(fs::exists(options.output));
+        EXPECT_EQ(notes.size(), 1u);
+    }
+    PvdSeries{folder / "contact.pvd", {}}.append(0.5, "c0.vtp");
+    RenderOptions options;
+    options.preset = "contact";
+    EXPECT_THAT(error_of([&] { render_series(results, options); }), HasSubstr("no frame at any time"));
+}
+
+TEST(RenderContact, ArraysThatPairsLackAreNamed) {
+    TemporaryFolder folder;
+    const fs::path results = write_series(folder);
+    for (const std::string lacking : {"normal", "in_contact", "separation", "body_b"}) {
+        SCOPED_TRACE(lacking);
+        PointFrame pairs = contacts();
+        std::erase_if(pairs.arrays, [&](const Array& array) { return array.name == lacking; });
+        write_contact(folder / "c0.vtp", pairs);
+        RenderOptions options;
+        options.preset = "contact";
+        options.width = 200;
+        if (lacking == "body_b") options.bodies = {"left"};
+        const std::string message = error_of([&] { render_series(results, options); });
+        EXPECT_THAT(message, AllOf(HasSubstr((folder / "contact.pvd").string()), HasSubstr('"' + lacking + '"'),
+                                   HasSubstr("contact_arrays")));
+        EXPECT_THROW(render_series(results, options), RenderRequestError);
+        EXPECT_FALSE(fs::exists(results / "frames"));
+    }
+    PointFrame pairs = contacts(); // black arrows show no separations
+    std::erase_if(pairs.arrays, [&](const Array& array) { return array.name == "separation"; });
+    write_contact(folder / "c0.vtp", pairs);
+    RenderOptions options;
+    options.preset = "normals";
     EXPECT_EQ(render_series(results, options).size(), 1u);
 }
 
@@ -183,6 +246,8 @@ TEST(RenderPresets, MissingAndCutFilesStopBeforeAnythingIsWritten) {
     for (int i = 0; i < 3; ++i) series.append(i, "p" + std::to_string(i) + ".vtu");
     fs::resize_file(folder / "p2.vtu", fs::file_size(folder / "p2.vtu") - 5);
     EXPECT_THAT(error_of([&] { render_series(results, {}); }), HasSubstr("p2.vtu: cannot read: the file is cut off"));
+    std::ofstream(folder / "p1.vtu", std::ios::app) << "garbage"; // two writers
+    EXPECT_THAT(error_of([&] { render_series(results, {}); }), HasSubstr("p1.vtu: cannot read: the file is cut off"));
     fs::remove(folder / "p1.vtu");
     EXPECT_THAT(error_of([&] { render_series(results, {}); }), HasSubstr("p1.vtu: cannot read: no such file"));
     EXPECT_FALSE(fs::exists(results / "frames"));

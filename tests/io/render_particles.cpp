@@ -126,11 +126,42 @@ TEST(RenderSelection, ContactsOfABodyAreThoseWithAnyOther) {
     EXPECT_EQ(right.points, (std::vector<double>{2, 0, 0}));
 }
 
+TEST(RenderSelection, AGroupStandsForItsBodies) {
+    PointFrame frame = row();
+    frame.words = {{"body_names", {"grain-1", "floor", "grain-02", "grain-", "grain-2x", "grains-3", "floor-1"}}};
+    EXPECT_EQ(body_numbers(frame, {"grain"}, ""), (std::set<int>{0, 2}));
+    EXPECT_EQ(body_numbers(frame, {"grain-1", "grain"}, ""), (std::set<int>{0, 2}));
+    EXPECT_EQ(body_numbers(frame, {"floor"}, ""), (std::set<int>{1})); // a body's own name stands for it alone
+    EXPECT_THAT(error_of([&] { body_numbers(frame, {"grai"}, ""); }), HasSubstr("no body \"grai\""));
+}
+
+TEST(RenderSelection, RegionsInWhichNothingIsSeenAreRefused) {
+    const Bounds plane{{0, 0, 0}, {2, 1, 0}}, space{{0, 0, 0}, {2, 1, 1}};
+    EXPECT_NO_THROW(check_region({{1.9, 0.9, 0}, {3, 3, 0}}, plane, true));
+    EXPECT_NO_THROW(check_region({{-9, -9, 0}, {9, 9, 0}}, plane, true));
+    EXPECT_THAT(error_of([&] {
+                    check_region({{2.1, 0, 0}, {3, 1, 0}}, plane, true);
+                }),
+                HasSubstr("outside the grid: x from 2.1 m to 3 m, the grid from 0 m to 2 m"));
+    EXPECT_NO_THROW(check_region({{2.1, 0, 0}, {3, 1, 0}}, plane, false));
+    EXPECT_THAT(error_of([&] {
+                    check_region({{0, 0, -2}, {1, 1, -1}}, space, true);
+                }),
+                HasSubstr("outside the grid: z"));
+    for (const bool all_there_is : {true, false})
+        EXPECT_THAT(error_of([&] {
+                        check_region({{0, 0, 0}, {1, 1e300, 0}}, plane, all_there_is);
+                    }),
+                    HasSubstr("so large, y from"));
+    EXPECT_NO_THROW(check_region({{0, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {0, 0, 0}}, false)); // a single point
+}
+
 TEST(RenderSelection, ErrorsOfferWhatThereIs) {
     const PointFrame frame = row();
     EXPECT_EQ(body_numbers(frame, {"right grain", "floor"}, "here"), (std::set<int>{0, 2}));
     EXPECT_THAT(error_of([&] { body_numbers(frame, {"left gran"}, "here"); }),
                 HasSubstr("here: no body \"left gran\"; did you mean \"left grain\"?"));
+    EXPECT_THAT(error_of([&] { body_numbers(frame, {"left"}, "here"); }), HasSubstr("no body \"left\""));
     PointFrame nameless = frame;
     nameless.words.clear();
     EXPECT_THAT(error_of([&] { body_numbers(nameless, {"floor"}, "here"); }), HasSubstr("don't tell the bodies"));

@@ -26,8 +26,8 @@ TEST(RenderValues, ComponentsAndMagnitudes) {
 }
 
 TEST(RenderValues, RangesPassOverWhatIsNotFinite) {
-    EXPECT_EQ(range_of({1, NAN, -2, INFINITY}), Range(std::pair(-2.0, 1.0)));
-    EXPECT_EQ(range_of({NAN}), Range{});
+    EXPECT_EQ(range_of(std::vector<double>{1, NAN, -2, INFINITY}), Range(std::pair(-2.0, 1.0)));
+    EXPECT_EQ(range_of(std::vector<double>{NAN}), Range{});
     EXPECT_EQ(joined({}, std::pair(1.0, 2.0)), Range(std::pair(1.0, 2.0)));
     EXPECT_EQ(joined(std::pair(0.0, 1.5), std::pair(1.0, 2.0)), Range(std::pair(0.0, 2.0)));
 }

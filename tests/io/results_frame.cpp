@@ -4,6 +4,7 @@
 #include "results_support.h"
 
 #include <gmock/gmock.h>
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -79,14 +80,14 @@ TEST(WriteFrame, ParticlesReadBackExactly) {
 
 TEST(WriteFrame, SurfaceReadsBackExactly) {
     TemporaryFolder folder;
-    SurfaceFrame frame;
+    CellFrame frame;
     frame.time = 0.25;
     frame.points = {0, 0, 0, 1, 0, 0, 1, 2, 0, 0.1, 2, 3};
     frame.cells = {{0, 2}, {3, 1}, {0, 1, 2, 3}};
     frame.arrays = {{"velocity", 3, std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}},
                     {"boundary", 1, std::vector<std::int32_t>{5, 4, 3}}};
     frame.words = {{"boundary_names", {"floor", "piston"}}};
-    write_surface(folder / "s.vtp", frame);
+    write_cells(folder / "s.vtp", frame);
     const auto data = read<vtkXMLPolyDataReader>(folder / "s.vtp");
     expect_values(data->GetPoints()->GetData(), frame.points, 3, VTK_DOUBLE);
     ASSERT_EQ(data->GetNumberOfCells(), 3);
@@ -104,10 +105,40 @@ TEST(WriteFrame, SurfaceReadsBackExactly) {
     EXPECT_EQ(folder.count(), 1u);
 
     std::swap(frame.cells[0], frame.cells[2]); // VTK would number the cells anew, and arrays would be mixed up
-    EXPECT_THROW(write_surface(folder / "t.vtp", frame), std::invalid_argument);
+    EXPECT_THROW(write_cells(folder / "t.vtp", frame), std::invalid_argument);
+    frame.cells[0] = {1};
+    EXPECT_THROW(write_cells(folder / "t.vtp", frame), std::invalid_argument);
+    EXPECT_FALSE(std::filesystem::exists(folder / "t.vtp"));
     frame = {};
-    write_surface(folder / "e.vtp", frame);
+    write_cells(folder / "e.vtp", frame);
     EXPECT_EQ(read<vtkXMLPolyDataReader>(folder / "e.vtp")->GetNumberOfCells(), 0);
+}
+
+TEST(WriteFrame, CellsOfSeveralKindsReadBackExactly) {
+    TemporaryFolder folder;
+    CellFrame frame;
+    for (const double z : {0.0, 2.0})
+        for (const auto& [x, y] : {std::pair{0.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {0.0, 1.0}})
+            frame.points.insert(frame.points.end(), {x, y, z});
+    frame.cells = {{4, 5, 6, 7}, {0, 6}, {0, 1, 2, 3, 4, 5, 6, 7}};
+    frame.arrays = {{"boundary", 1, std::vector<std::int32_t>{5, 4, 3}}};
+    write_cells(folder / "c.vtu", frame);
+    const auto data = read<vtkXMLUnstructuredGridReader>(folder / "c.vtu");
+    ASSERT_EQ(data->GetNumberOfCells(), 3);
+    const int kinds[] = {VTK_QUAD, VTK_LINE, VTK_HEXAHEDRON};
+    for (vtkIdType cell = 0; cell < 3; ++cell) {
+        EXPECT_EQ(data->GetCellType(cell), kinds[cell]);
+        const auto& expected = frame.cells[static_cast<std::size_t>(cell)];
+        vtkIdList* ids = data->GetCell(cell)->GetPointIds();
+        ASSERT_EQ(static_cast<std::size_t>(ids->GetNumberOfIds()), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(ids->GetId(static_cast<vtkIdType>(i)), expected[i]);
+    }
+    expect_values(data->GetCellData()->GetArray("boundary"), std::get<1>(frame.arrays[0].values), 1, VTK_INT);
+    frame.cells[1] = {0, 1, 6};
+    EXPECT_THROW(write_cells(folder / "t.vtu", frame), std::invalid_argument);
+    frame = {};
+    write_cells(folder / "e.vtu", frame);
+    EXPECT_EQ(read<vtkXMLUnstructuredGridReader>(folder / "e.vtu")->GetNumberOfCells(), 0);
 }
 
 TEST(WriteFrame, ContactReadsBackExactly) {

@@ -1,6 +1,8 @@
 /// Contact: how normals and separations are found, and what goes with each.
 #include "scene_support.h"
 
+#include "io/render/live_picture.h"
+#include "io/render/render_series.h"
 #include "scene/validate.h"
 
 namespace abut::scene_test {
@@ -34,6 +36,36 @@ TEST(SceneContact, Words) {
         {"lumped", ThreeOrMore::lumped}, {"explicit", ThreeOrMore::explicit_}, {"up-to-two", ThreeOrMore::up_to_two}};
     for (const auto& [word, three] : nodes)
         EXPECT_EQ(contact_of(R"({"three_or_more": ")" + word + "\"}").three_or_more, three);
+}
+
+/// A live picture of contact needs a scene with contact; which presets show it is known to the pictures.
+TEST(SceneContact, LivePresets) {
+    const std::string pointer = "/output/live_preset";
+    Scene scene = load(changed("/contact/corrections", "1")).scene;
+    std::size_t refused = 0;
+    for (const std::string& preset : render_presets()) {
+        SCOPED_TRACE(preset);
+        const auto problems_with = [&](bool live, bool contact) {
+            Scene one = scene;
+            if (!contact) one.contact.reset();
+            one.output.live = live;
+            one.output.live_preset = preset;
+            std::vector<Problem> problems = validate(one);
+            std::erase_if(problems, [&](const Problem& problem) { return problem.pointer != pointer; });
+            return problems;
+        };
+        EXPECT_THAT(problems_with(true, true), testing::IsEmpty());
+        EXPECT_THAT(problems_with(false, false), testing::IsEmpty());
+        if (LivePicture("live.png", {{0, 0, 0}, {1, 1, 0}}, "", preset, 1).wants_contact()) {
+            EXPECT_THAT(problems_with(true, false),
+                        testing::ElementsAre(
+                            IsProblem(pointer, "\"" + preset + "\" shows contact, of which this scene has none")));
+            ++refused;
+        } else {
+            EXPECT_THAT(problems_with(true, false), testing::IsEmpty());
+        }
+    }
+    EXPECT_EQ(refused, 2U);
 }
 
 TEST(SceneContact, SpecifiedNormal) {
