@@ -61,7 +61,7 @@ std::vector<Element> load(const Hdf5Reader& file, const std::string& name, std::
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!std::isfinite(values[i])) fail(file, name, fmt::format("entry {} is {}", i / width<Element>, values[i]));
     std::vector<Element> result(size);
-    std::memcpy(static_cast<void*>(result.data()), values.data(), values.size() * sizeof(double));
+    if (size > 0) std::memcpy(static_cast<void*>(result.data()), values.data(), values.size() * sizeof(double));
     return result;
 }
 

@@ -76,7 +76,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     const std::int64_t integers[] = {0, -1, 1, 255, 1 << 20, std::int64_t{1} << 31, std::int64_t{1} << 62};
     const std::size_t place = (seed / 32) % (size / 8) * 8;
     const std::size_t which = (seed / 2) % 14;
-    std::memcpy(data + place, which < 7 ? static_cast<const void*>(reals + which) : integers + which - 7, 8);
+    std::memcpy(data + place, which < 7 ? static_cast<const void*>(reals + which) : integers + (which - 7), 8);
     return size;
 }
 

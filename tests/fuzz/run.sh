@@ -26,7 +26,7 @@ fuzz_one() { # TARGET SECONDS
     [[ -d $seeds ]] && folders+=("$seeds")
     # One allocation too large for malloc_limit_mb is a finding; allocators return null above what ASan takes at all.
     ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1:handle_abort=1 \
-        UBSAN_OPTIONS=print_stacktrace=1 OMP_NUM_THREADS=1 \
+        LSAN_OPTIONS=suppressions=tests/leaks_elsewhere.txt:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1 OMP_NUM_THREADS=1 \
         "build/fuzz/tests/fuzz/fuzz_$target" "${options[@]}" "${folders[@]}" >"$log" 2>&1 || status=$?
     local done_ cover
     done_=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")

@@ -1,9 +1,15 @@
 // Surfaces of triangles: each input as an STL, OFF, PLY and OBJ file, read and checked, not repaired.
 #include "geometry/shapes/surface.h"
+#include "geometry/shapes/check_surface.h"
 #include "one_file.h"
 
 #include <array>
 #include <stdexcept>
+
+/// In place of the real one, which is never called here and takes minutes to compile.
+std::vector<std::string> abut::repair_surface(TriangleMesh& /*mesh*/) {
+    __builtin_trap();
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const std::array<fuzz::OneFile, 4> files{fuzz::OneFile(".stl"), fuzz::OneFile(".off"), fuzz::OneFile(".ply"),

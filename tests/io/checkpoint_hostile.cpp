@@ -53,6 +53,7 @@ protected:
         return message;
     }
     std::string refusal_of(const Document& document) {
+        std::filesystem::remove(path); // file systems take time to empty files that are written anew
         write_document(path, document);
         return refusal();
     }
@@ -62,7 +63,10 @@ protected:
         change(document.at(name));
         return refusal_of(document);
     }
-    void write_bytes(const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+    void write_bytes(const std::string& bytes) {
+        std::filesystem::remove(path);
+        std::ofstream(path, std::ios::binary) << bytes;
+    }
 
     const TemporaryFolder folder;
     const std::filesystem::path path = folder / "checkpoint.h5";
