@@ -37,8 +37,10 @@ private:
     herr_t (*close_)(hid_t);
 };
 
-/// HDF5 prints its errors unless told not to.
+/// HDF5 prints its errors unless told not to. Where the disk was full it cannot close a file, keeps it, and crashes
+/// when it closes all files at the end of the program; it must not do that then. Files are closed here, each.
 void mute() {
+    H5dont_atexit(); // heeded before the first other call
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
