@@ -7,7 +7,7 @@ source .ci/phase.sh
 
 usage() {
     cat <<'END'
-usage: tests/run.sh [--full] [--no-paraview] [--asan] [--tidy]
+usage: tests/run.sh [--full] [--no-paraview] [--asan] [--tsan] [--fuzz [SECONDS]] [--tidy]
 
 Installs the packages that are missing (Debian 12) and ParaView, checks the format of the sources, builds abut and its tests in
 build/release with warnings as errors, and runs the tests (all but the published cases at full size).
@@ -15,6 +15,9 @@ build/release with warnings as errors, and runs the tests (all but the published
   --full  also the published cases at full size (hours)
   --no-paraview  does not install ParaView (0.7 GB); its test is skipped if it isn't there
   --asan  instead: the tests under the address and undefined-behaviour sanitizers, in build/asan
+  --tsan  instead: contact scenes on several threads under the thread sanitizer, in build/tsan; installs clang 14
+  --fuzz [SECONDS]  instead: all readers of files get inputs that libFuzzer invents, SECONDS each (20), in build/fuzz;
+          installs clang 14; see tests/fuzz/README.md
   --tidy  instead: clang-tidy over the libraries and the program, in build/tidy; installs clang-tidy
   --help  this text
 END
@@ -23,11 +26,22 @@ END
 full=no
 paraview=yes
 preset=release
-for argument in "$@"; do
+fuzz_seconds=20
+while (($# > 0)); do
+    argument=$1
+    shift
     case $argument in
         --full) full=yes ;;
         --no-paraview) paraview=no ;;
         --asan) preset=asan ;;
+        --tsan) preset=tsan ;;
+        --fuzz)
+            preset=fuzz
+            if [[ ${1:-} =~ ^[0-9]+$ ]]; then
+                fuzz_seconds=$1
+                shift
+            fi
+            ;;
         --tidy) preset=tidy ;;
         -h | --help)
             usage
@@ -59,6 +73,22 @@ format() {
 if [[ $preset == tidy ]]; then
     phase "Packages" bash .ci/setup.sh clang-tidy libomp-dev # clang's own omp.h
     build tidy
+    exit
+fi
+
+clang=(clang-14 libclang-rt-14-dev libomp-14-dev)
+if [[ $preset == fuzz ]]; then
+    phase "Packages" bash .ci/setup.sh "${clang[@]}"
+    build fuzz -DABUT_WERROR=ON
+    phase "Fuzzing, $fuzz_seconds s a target" tests/fuzz/run.sh "$fuzz_seconds"
+    exit
+fi
+if [[ $preset == tsan ]]; then
+    phase "Packages" bash .ci/setup.sh "${clang[@]}"
+    build tsan -DABUT_WERROR=ON
+    # Archer tells the sanitizer of OpenMP's barriers; libomp itself has no instrumentation.
+    KMP_BLOCKTIME=0 OMP_TOOL_LIBRARIES=/usr/lib/llvm-14/lib/libarcher.so TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1" \
+        phase "Contact scenes under the thread sanitizer" build/tsan/tests/test_stability --gtest_filter='Threads.*ShortRun*'
     exit
 fi
 

@@ -2,10 +2,12 @@
 
 #include "io/checkpoint/hdf5_file.h"
 #include "io/results/output_file.h"
+#include "shape/product.h"
 #include "step/good_state.h"
 #include "step/tasks.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -16,7 +18,7 @@ namespace abut {
 namespace {
 
 constexpr std::int64_t version = 1;
-constexpr std::size_t longest_scene = 1 << 28; // bytes
+constexpr std::size_t longest_scene = 1 << 26; // bytes
 
 // === Vectors and matrices as plain numbers; matrices column by column, as they lie in memory
 
@@ -37,6 +39,17 @@ void save(Hdf5Writer& file, const std::string& name, const std::vector<Element>&
         file.reals(name, numbers(values), {values.size(), width<Element>});
 }
 
+/// Whether a text is a JSON object, and none so deep that handling it would exhaust the stack.
+bool is_scene(const std::string& text) {
+    constexpr int deepest = 100;
+    bool too_deep = false;
+    const auto shallow = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+        too_deep |= depth > deepest;
+        return depth <= deepest;
+    };
+    return nlohmann::json::parse(text, shallow, false).is_object() && !too_deep;
+}
+
 [[noreturn]] void fail(const Hdf5Reader& file, const std::string& name, const std::string& cause) {
     throw std::runtime_error(fmt::format("{}: {}: {}", file.path().string(), name, cause));
 }
@@ -49,7 +62,7 @@ std::vector<Element> load(const Hdf5Reader& file, const std::string& name, std::
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!std::isfinite(values[i])) fail(file, name, fmt::format("entry {} is {}", i / width<Element>, values[i]));
     std::vector<Element> result(size);
-    std::memcpy(static_cast<void*>(result.data()), values.data(), values.size() * sizeof(double));
+    if (size > 0) std::memcpy(static_cast<void*>(result.data()), values.data(), values.size() * sizeof(double));
     return result;
 }
 
@@ -144,14 +157,18 @@ Tiling<D> load_tiling(const Hdf5Reader& file, const Particles<D>& particles, con
         for (std::int64_t p = row[2]; p < row[3]; ++p)
             if (particles.body[static_cast<std::size_t>(p)] != row[1])
                 fail(file, "tiles", fmt::format("row {} holds a particle of another body", t));
-        Tile<D> tile;
+        Tile<D> tile{};
         tile.window = Window<D>::empty(); // not to be taken for the one that the present slots are for
         tile.block = static_cast<int>(row[0]);
         tile.body = static_cast<std::int32_t>(row[1]);
         tile.field = contact ? tile.body : 0;
         tile.first = static_cast<std::int32_t>(row[2]);
         tile.last = static_cast<std::int32_t>(row[3]);
-        if (t > 0 && tile.block < tiling.tiles.back().block) fail(file, "tiles", "blocks are not in their order");
+        if (t > 0) {
+            const Tile<D>& before = tiling.tiles.back();
+            if (std::pair(tile.block, tile.body) <= std::pair(before.block, before.body))
+                fail(file, "tiles", "blocks and bodies are not in their order");
+        }
         if (t == 0 || tile.block != tiling.tiles.back().block)
             tiling.blocks.push_back({tile.block, static_cast<std::int32_t>(t), 0});
         tiling.tiles.push_back(tile);
@@ -159,7 +176,9 @@ Tiling<D> load_tiling(const Hdf5Reader& file, const Particles<D>& particles, con
     }
     if (!tiling.tiles.empty() && tiling.tiles.back().last != std::int64_t(particles.size()))
         fail(file, "tiles", "they do not hold all particles");
-    const auto stride = load_numbers(file, "stride", {1}, 0, 1 << 20)[0];
+    // Windows of more nodes end a run; see Tiling::needed_stride().
+    constexpr std::int64_t most_blocks = (most_axis_nodes + block_edge - 1) / block_edge + 1;
+    const auto stride = load_numbers(file, "stride", {1}, 0, most_blocks + 1)[0];
     if (!tiling.tiles.empty()) tiling.make_colours(grid, static_cast<int>(std::max<std::int64_t>(2, stride)));
     return tiling;
 }
@@ -215,15 +234,20 @@ SavedTotals load_totals(const Hdf5Reader& file, const State<D>& state) {
     const auto values = load<std::array<double, 7>>(file, "pairs/totals", pairs);
     for (std::size_t i = 0; i < pairs; ++i) {
         const auto& v = values[i];
-        totals.pairs[{static_cast<std::int32_t>(names[2 * i]), static_cast<std::int32_t>(names[2 * i + 1])}] = {
-            {v[0], v[1], v[2]}, v[3], v[4], v[5], v[6]};
+        const std::pair pair(static_cast<std::int32_t>(names[2 * i]), static_cast<std::int32_t>(names[2 * i + 1]));
+        if (pair.first >= pair.second || totals.pairs.contains(pair))
+            fail(file, "pairs/bodies", fmt::format("{} and {} cannot be", pair.first, pair.second));
+        totals.pairs[pair] = {{v[0], v[1], v[2]}, v[3], v[4], v[5], v[6]};
     }
     const std::size_t rigid = file.rows("rigid/bodies", 0, bodies);
     const auto rigid_names = load_numbers(file, "rigid/bodies", {rigid}, 0, most);
     const auto rigid_values = load<std::array<double, 6>>(file, "rigid/totals", rigid);
     for (std::size_t i = 0; i < rigid; ++i) {
         const auto& v = rigid_values[i];
-        totals.rigid[static_cast<std::int32_t>(rigid_names[i])] = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+        const auto body = static_cast<std::int32_t>(rigid_names[i]);
+        if (!state.bodies[static_cast<std::size_t>(body)].rigid || totals.rigid.contains(body))
+            fail(file, "rigid/bodies", fmt::format("{} cannot be", body));
+        totals.rigid[body] = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
     }
     return totals;
 }
@@ -317,6 +341,7 @@ CheckpointHead read_checkpoint_head(const std::filesystem::path& path) {
                                              path.string(), found, version));
     CheckpointHead head;
     head.resolved_scene = file.text("scene", longest_scene);
+    if (!is_scene(head.resolved_scene)) fail(file, "scene", "is no scene");
     head.checksum = static_cast<std::uint64_t>(file.integers("model_checksum", {1})[0]);
     head.step = load_numbers(file, "step", {1}, 0, std::int64_t{1} << 62)[0];
     head.time = load<double>(file, "clock", 4)[0];
@@ -327,7 +352,8 @@ template <int D>
 OutputProgress read_checkpoint(const std::filesystem::path& path, State<D>& state) {
     const Hdf5Reader file(path);
     const auto clock = load<double>(file, "clock", 4);
-    if (!(clock[0] >= 0) || !(clock[2] > 0)) fail(file, "clock", "time or wave speed cannot be");
+    if (!(clock[0] >= 0) || !(clock[1] >= 0) || !(clock[2] > 0) || !(clock[3] >= 0))
+        fail(file, "clock", "a time, a step or a wave speed cannot be");
     const auto step = load_numbers(file, "step", {1}, 0, std::int64_t{1} << 62)[0];
     const bool transfers = load_numbers(file, "transfers", {1}, 0, 2)[0] != 0;
     Particles<D> particles = load_particles(file, state.particles, state.grid);

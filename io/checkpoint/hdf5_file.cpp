@@ -37,8 +37,10 @@ private:
     herr_t (*close_)(hid_t);
 };
 
-/// HDF5 prints its errors unless told not to.
+/// HDF5 prints its errors unless told not to. Where the disk was full it cannot close a file, keeps it, and crashes
+/// when it closes all files at the end of the program; it must not do that then. Files are closed here, each.
 void mute() {
+    H5dont_atexit(); // heeded before the first other call
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -99,6 +101,22 @@ void Hdf5Writer::close() {
 
 // === Reading
 
+namespace {
+
+/// Whether the values of a data set stand in the file as Hdf5Writer puts them: one behind the other, `bytes` of them.
+/// Others, packed or in pieces or in other files, are what hostile files would use to make HDF5 allocate or read
+/// elsewhere.
+bool lies_in_file(hid_t data, std::uintmax_t bytes, std::uintmax_t file_bytes) {
+    const Handle creation(H5Dget_create_plist(data), H5Pclose);
+    if (!creation.good() || H5Pget_layout(creation) != H5D_CONTIGUOUS || H5Pget_external_count(creation) != 0 ||
+        H5Pget_nfilters(creation) != 0)
+        return false;
+    const haddr_t begin = H5Dget_offset(data);
+    return begin != HADDR_UNDEF && begin <= file_bytes && bytes <= file_bytes - begin;
+}
+
+} // namespace
+
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path) {
     mute();
     if (!std::filesystem::is_regular_file(path)) fail(path, "no such file");
@@ -143,9 +161,11 @@ void Hdf5Reader::read(const std::string& name, std::int64_t type, void* values, 
                                 fmt::join(shape, " x ")));
     const Handle data(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
     const Handle stored(H5Dget_type(data), H5Tclose);
-    if (H5Tget_class(stored) != H5Tget_class(type) || H5Tget_size(stored) != H5Tget_size(type))
-        fail(path_, fmt::format("\"{}\" has values of another type", name));
-    if (count(shape) > 0 && H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+    if (H5Tequal(stored, type) <= 0) fail(path_, fmt::format("\"{}\" has values of another type", name));
+    if (count(shape) == 0) return;
+    if (!lies_in_file(data, count(shape) * H5Tget_size(type), std::filesystem::file_size(path_)))
+        fail(path_, fmt::format("cannot read: the values of \"{}\" are not in the file", name));
+    if (H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
         fail(path_, fmt::format("cannot read: \"{}\" is broken", name));
 }
 

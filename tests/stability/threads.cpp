@@ -13,7 +13,7 @@ struct Outcome {
     Particles<2> particles;
 };
 
-Outcome outcome(int threads, ShapeKind shape, const ContactSpec& spec) {
+Outcome outcome(int threads, ShapeKind shape, const ContactSpec& spec, double until = 3) {
     omp_set_num_threads(threads);
     Scene scene = plane_scene(0.25, -4, -3, 4, 3, material(1, 8, 4));
     scene.method.shape = shape;
@@ -33,7 +33,7 @@ Outcome outcome(int threads, ShapeKind shape, const ContactSpec& spec) {
     add_disk(model, add_body(model, "third", {0, -0.4, 0}), 0.1, 1.7, 0.7, 0.125);
     State<2> state = make_state<2>(scene, model);
     Outcome result;
-    run(state, 3, [&] {
+    run(state, until, [&] {
         if (state.step % 5 == 0)
             result.history.push_back(history_row(state, deformable_totals(state, body_totals(state)), 0.1));
     });
@@ -48,6 +48,20 @@ void expect_same_bits(const std::vector<T>& a, const std::vector<T>& b, const ch
     std::size_t different = 0;
     for (std::size_t i = 0; i < a.size(); ++i) different += !(a[i] == b[i]);
     EXPECT_EQ(different, 0u) << what;
+}
+
+/// Short enough for the thread sanitizer (tests/run.sh --tsan): bodies that meet, and two threads.
+TEST(Threads, TwoInAShortRunOfContact) {
+    const ContactSpec regression = contact(LawType::friction, 0.3);
+    for (const ShapeKind shape : {ShapeKind::cpdi, ShapeKind::ugimp}) {
+        const Outcome one = outcome(1, shape, regression, 1.5);
+        const Outcome two = outcome(2, shape, regression, 1.5);
+        ASSERT_FALSE(one.history.empty());
+        EXPECT_NE(one.history.back()[7], 0) << "contact works";
+        EXPECT_EQ(two.history, one.history);
+        expect_same_bits(two.particles.position, one.particles.position, "position");
+        expect_same_bits(two.particles.velocity, one.particles.velocity, "velocity");
+    }
 }
 
 TEST(Threads, OneTwoAndThreeGiveTheSameBits) {
