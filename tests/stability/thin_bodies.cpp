@@ -1,0 +1,115 @@
+/// Bodies thinner than a cell, one particle thick, or of one particle.
+
+#include "stability/hard.h"
+
+#include "results/interpenetration.h"
+
+namespace {
+
+using namespace test;
+
+/// Domains of particles reach over a body's edge by what its curvature hides: half the strain over a particle. A sheet
+/// of one particle has that of a whole face.
+constexpr double most_overlap = 0.02;
+
+TEST(ThinBodies, SheetsOfAThirdOfACellKeepTheirOrder) {
+    Figures figures("SheetsOfAThirdOfACellKeepTheirOrder");
+    for (const TransferSpec& scheme : usual_transfers()) {
+        SCOPED_TRACE(name_of(scheme));
+        Scene scene = plane_scene(1, 0, 0, 16, 18, material(1, 100, 50));
+        scene.method.transfer = scheme;
+        scene.contact = contact(LawType::friction, 0.2);
+        Model model;
+        add_box(model, add_body(model, "base"), 3, 3, 13, 6, 20, 6);
+        for (int i = 0; i < 3; ++i)
+            add_box(model, add_body(model, "sheet " + std::to_string(i)), 3, 6 + 0.3 * i, 13, 6.3 + 0.3 * i, 20, 1);
+        add_box(model, add_body(model, "hammer", {0, -1, 0}), 5, 7.5, 11, 10.5, 12, 6);
+        State<2> state = make_state<2>(scene, model);
+        double overlap = 0;
+        const auto watch = run_watched(state, 4, [&] {
+            if (state.step % 10 == 0) overlap = std::max(overlap, interpenetration(state.particles).fraction());
+        });
+        const auto bodies = body_totals(state);
+        for (std::size_t b = 1; b < bodies.size(); ++b)
+            EXPECT_GT(bodies[b].center()[1], bodies[b - 1].center()[1]) << "nothing passes through a sheet";
+        const std::string name = name_of(scheme);
+        figures.at_most("interpenetration", name, overlap, most_overlap);
+        watch.expect_energy(figures, name);
+        watch.expect_momentum(figures, name);
+    }
+}
+
+TEST(ThinBodies, NeedlesOfOneParticleAcrossTheGridHitABlock) {
+    Figures figures("NeedlesOfOneParticleAcrossTheGridHitABlock");
+    for (const TransferSpec& scheme : usual_transfers()) {
+        SCOPED_TRACE(name_of(scheme));
+        Scene scene = plane_scene(1, 0, 0, 20, 20, material(1, 100, 50));
+        scene.method.transfer = scheme;
+        scene.contact = contact(LawType::friction, 0.3);
+        Model model;
+        add_box(model, add_body(model, "block"), 7, 7, 13, 13, 12, 12);
+        model.angle.assign(model.size(), 0);
+        for (int n = 0; n < 6; ++n) { // points of the needles towards the block's centre, 0.4 cells thick
+            const double a = 0.3 + n * M_PI / 3;
+            const Vector to{-std::cos(a), -std::sin(a), 0};
+            const int body = add_body(model, "needle " + std::to_string(n), {2 * to[0], 2 * to[1], 0});
+            for (int k = 0; k < 5; ++k) {
+                add_particle(model, body, 10 - (5.2 + 0.5 * k) * to[0], 10 - (5.2 + 0.5 * k) * to[1], 0.25, 0.2);
+                model.angle.push_back(a);
+            }
+        }
+        State<2> state = make_state<2>(scene, model);
+        double overlap = 0;
+        const auto watch = run_watched(state, 2, [&] {
+            if (state.step % 10 == 0) overlap = std::max(overlap, interpenetration(state.particles).overlap);
+        });
+        const std::string name = name_of(scheme);
+        // Each needle's tip is one particle, 0.2 square cells: none of it may lie inside the block as a whole.
+        figures.at_most("interpenetration / tips", name, overlap / (6 * 0.2), 1);
+        watch.expect_energy(figures, name);
+        watch.expect_momentum(figures, name);
+    }
+}
+
+TEST(ThinBodies, OneParticleAmongOthersStaysInItsHole) {
+    Figures figures("OneParticleAmongOthersStaysInItsHole");
+    for (const TransferSpec& scheme : usual_transfers()) {
+        SCOPED_TRACE(name_of(scheme));
+        Scene scene = plane_scene(1, 0, 0, 22, 12, material(1, 100, 50));
+        scene.method.transfer = scheme;
+        scene.contact = contact(LawType::friction, 0.3);
+        Model model;
+        const int block = add_body(model, "block", {1, 0, 0}), one = add_body(model, "one", {1, 0, 0});
+        for (int j = 0; j < 12; ++j)
+            for (int i = 0; i < 12; ++i)
+                add_particle(model, i == 7 && j == 5 ? one : block, 3.25 + 0.5 * i, 3.25 + 0.5 * j, 0.25, 0.25);
+        add_box(model, add_body(model, "other", {-1, 0, 0}), 9.5, 3, 15.5, 9, 12, 12);
+        State<2> state = make_state<2>(scene, model);
+        // The hole is where its eight neighbours are.
+        std::vector<int> neighbours;
+        int alone = -1;
+        for (std::size_t p = 0; p < model.size(); ++p)
+            if (model.body[p] == one) alone = static_cast<int>(p);
+        for (std::size_t p = 0; p < model.size(); ++p)
+            if (int(p) != alone && std::abs(model.position[p][0] - model.position[alone][0]) < 0.6 &&
+                std::abs(model.position[p][1] - model.position[alone][1]) < 0.6)
+                neighbours.push_back(static_cast<int>(p));
+        double off = 0;
+        const auto watch = run_watched(state, 4, [&] {
+            Vec<2> hole = Vec<2>::Zero(), place = Vec<2>::Zero();
+            for (std::size_t p = 0; p < state.particles.size(); ++p) {
+                if (state.particles.id[p] == alone) place = state.particles.position[p];
+                for (const int n : neighbours)
+                    if (state.particles.id[p] == n) hole += state.particles.position[p] / 8;
+            }
+            off = std::max(off, (place - hole).norm());
+        });
+        const std::string name = name_of(scheme);
+        // Further than half its edge, and more of it would be outside its place than inside.
+        figures.at_most("way from its hole / half edge", name, off / 0.25, 1);
+        watch.expect_energy(figures, name);
+        watch.expect_momentum(figures, name);
+    }
+}
+
+} // namespace
