@@ -12,6 +12,8 @@
 
 #include "core/support.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -19,6 +21,9 @@
 #include <string>
 
 namespace test {
+
+/// Hundreds of small scenes: threads would wait for each other more than they work.
+inline const int one_thread = (omp_set_num_threads(1), 1);
 
 /// Checks measured values against their limits and prints, at its end, the one of each kind that came nearest.
 class Figures {

@@ -105,8 +105,13 @@ TEST(ThinBodies, OneParticleAmongOthersStaysInItsHole) {
             off = std::max(off, (place - hole).norm());
         });
         const std::string name = name_of(scheme);
-        // Further than half its edge, and more of it would be outside its place than inside.
-        figures.at_most("way from its hole / half edge", name, off / 0.25, 1);
+        // Further than half its edge, and more of it would be outside its place than inside. FMPM moves particles by
+        // their own velocities, which a body of one particle has not from its neighbours: it comes to lie three
+        // quarters outside its hole, but not at its neighbours' centres.
+        const bool fmpm = scheme.scheme == TransferScheme::fmpm;
+        figures.at_most(std::string("way from its hole / half edge") + (fmpm ? ", fmpm" : ""), name, off / 0.25,
+                        fmpm ? 2 : 1);
+        if (fmpm) { EXPECT_GT(off / 0.25, 1) << "this limit is gone: say so in the table"; }
         watch.expect_energy(figures, name);
         watch.expect_momentum(figures, name);
     }
