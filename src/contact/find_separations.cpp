@@ -89,9 +89,9 @@ double rigid_edge(const State<D>& state, const ContactGroup<D>& group, std::ptrd
 /// to the node. The cloud reaches up to two cells to the sides; where the interface is curved its outermost particles
 /// make the separation negative though nothing overlaps. The overlap therefore counts only particles whose centres lie
 /// within half a cell of the line through the node along n, and what is left of the curvature, of the steps in a
-/// body's edge and of the inscribed ellipses is covered by a tenth of a cell. Where one body has matter on both sides of
-/// the other no plane parts them, and how far they reach past each other is no overlap: a particle in a hole of another
-/// body would else be driven out of it, by energy from nowhere.
+/// body's edge and of the inscribed ellipses is covered by a tenth of a cell. Where one body has matter on both sides
+/// of the other no plane parts them, and how far they reach past each other is no overlap: a particle in a hole of
+/// another body would else be driven out of it, by energy from nowhere.
 template <int D>
 void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point,
               EdgeParticles& cloud) {

@@ -22,12 +22,12 @@ struct Meeting {
 /// Faces and corners on nodes, on edges of cells, and between.
 TEST(Corners, SquaresMeetAtNodesEdgesAndCorners) {
     Figures figures("SquaresMeetAtNodesEdgesAndCorners");
-    for (const Meeting& m : {Meeting{"faces on cell edges", 4, 0, 0.5, 0},
-                             Meeting{"half faces, corners at nodes", 4, 2, 0.5, 0},
-                             Meeting{"half faces, corners between nodes", 4.1, 1.7, 0.5, 0.1},
-                             Meeting{"corner to corner at a node", 4, 4, 0.5, 0.5},
-                             Meeting{"corner to corner in a cell", 4.3, 4.3, 0.5, 0.5},
-                             Meeting{"corner past corner", 4.2, 3.9, 0.5, 0.05}})
+    for (const Meeting& m :
+         {Meeting{"faces on cell edges", 4, 0, 0.5, 0}, Meeting{"half faces, corners at nodes", 4, 2, 0.5, 0},
+          Meeting{"half faces, corners between nodes", 4.1, 1.7, 0.5, 0.1},
+          Meeting{"corner to corner at a node", 4, 4, 0.5, 0.5},
+          Meeting{"corner to corner in a cell", 4.3, 4.3, 0.5, 0.5},
+          Meeting{"corner past corner", 4.2, 3.9, 0.5, 0.05}})
         for (const TransferSpec& scheme : usual_transfers()) {
             const std::string name = std::string(m.name) + ", " + name_of(scheme);
             SCOPED_TRACE(name);
@@ -39,8 +39,8 @@ TEST(Corners, SquaresMeetAtNodesEdgesAndCorners) {
             add_square(model, "second", 8 + m.x, 8 + m.y, {-m.vx, -m.vy, 0});
             State<2> state = make_state<2>(scene, model);
             double overlap = 0;
-            const auto watch = run_watched(
-                state, 2, [&] { overlap = std::max(overlap, interpenetration(state.particles).overlap); });
+            const auto watch =
+                run_watched(state, 2, [&] { overlap = std::max(overlap, interpenetration(state.particles).overlap); });
             // A corner that pierces another body by half a particle each way.
             figures.at_most("interpenetration / particle", name, overlap / 0.25, 0.5);
             watch.expect_energy(figures, name);
@@ -71,8 +71,8 @@ TEST(Corners, CornerThroughAFace) {
                 }
             State<2> state = make_state<2>(scene, model);
             double overlap = 0;
-            const auto watch = run_watched(
-                state, 2, [&] { overlap = std::max(overlap, interpenetration(state.particles).overlap); });
+            const auto watch =
+                run_watched(state, 2, [&] { overlap = std::max(overlap, interpenetration(state.particles).overlap); });
             figures.at_most("interpenetration / particle", name, overlap / 0.25, 0.5);
             watch.expect_energy(figures, name);
             watch.expect_momentum(figures, name);
@@ -115,7 +115,9 @@ TEST(Powder, EveryNodeSeesManyBodies) {
         State<2> state = powder(scheme, ThreeOrMore::explicit_);
         double overlap = 0;
         const auto watch = run_watched(state, 2, [&] {
-            if (state.step == 1) { EXPECT_GT(crowded(state), 0.8) << "or it is not the case meant"; }
+            if (state.step == 1) {
+                EXPECT_GT(crowded(state), 0.8) << "or it is not the case meant";
+            }
             overlap = std::max(overlap, interpenetration(state.particles).fraction());
         });
         figures.at_most("interpenetration", name, overlap, most_of_powder);
@@ -130,8 +132,8 @@ TEST(Powder, LumpedRulesDontHoldItButTheRunGoesOn) {
     Figures figures("powder, lumped or up to two");
     for (const ThreeOrMore rule : {ThreeOrMore::up_to_two, ThreeOrMore::lumped})
         for (const TransferSpec& scheme : usual_transfers()) {
-            const std::string name = std::string(rule == ThreeOrMore::lumped ? "lumped, " : "up to two, ") +
-                                     name_of(scheme);
+            const std::string name =
+                std::string(rule == ThreeOrMore::lumped ? "lumped, " : "up to two, ") + name_of(scheme);
             SCOPED_TRACE(name);
             State<2> state = powder(scheme, rule);
             double overlap = 0, contact_work = 0;

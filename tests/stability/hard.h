@@ -68,9 +68,9 @@ template <int D>
 struct Watch {
     State<D>& state;
     Totals start, now;
-    double excess = 0;       ///< largest T + U − (T + U)_0 − external work [J]
-    double half_change = 0;  ///< largest ½ |U_n+1 − U_n| [J]
-    double largest = 0;      ///< T + U [J]
+    double excess = 0;         ///< largest T + U − (T + U)_0 − external work [J]
+    double half_change = 0;    ///< largest ½ |U_n+1 − U_n| [J]
+    double largest = 0;        ///< T + U [J]
     double momentum_error = 0; ///< largest component of P − P_0 [kg m/s]
     long steps = 0;
 
@@ -115,7 +115,8 @@ struct Watch {
 
 /// The whole of a case without walls: runs, sound, energy, momentum.
 template <int D>
-Watch<D> run_watched(State<D>& state, double until, const std::function<void()>& each = [] {}) {
+Watch<D> run_watched(
+    State<D>& state, double until, const std::function<void()>& each = [] {}) {
     Watch<D> watch(state);
     run(state, until, [&] {
         watch();
@@ -137,7 +138,9 @@ inline std::string name_of(const TransferSpec& t) {
 
 /// One of each scheme, of the orders in common use.
 inline std::vector<TransferSpec> usual_transfers() {
-    return {transfer(TransferScheme::flip), transfer(TransferScheme::pic), transfer(TransferScheme::xpic, 5),
+    return {transfer(TransferScheme::flip),
+            transfer(TransferScheme::pic),
+            transfer(TransferScheme::xpic, 5),
             {TransferScheme::fmpm, 2, {}, {}}};
 }
 

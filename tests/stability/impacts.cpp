@@ -85,7 +85,9 @@ TEST(Impacts, FrictionFromNoneToTen) {
             const Vector impulse = state.pair_totals.begin()->second.impulse;
             const double ratio = std::abs(impulse[0] / impulse[1]);
             if (mu <= 1) figures.at_most("shear / normal impulse", name, ratio, mu + by_corners(6, mu));
-            if (mu < 0.5) { EXPECT_GT(ratio, 0.9 * mu - 0.01) << "it slides, so all of the friction acts"; }
+            if (mu < 0.5) {
+                EXPECT_GT(ratio, 0.9 * mu - 0.01) << "it slides, so all of the friction acts";
+            }
             if (mu > 1) { // it sticks from the start: as with stick contact
                 scene.contact = contact(LawType::stick);
                 State<2> stuck = make_state<2>(scene, model);

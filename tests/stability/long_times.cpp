@@ -7,9 +7,9 @@ namespace {
 using namespace test;
 
 struct Rest {
-    double heat = 0;    ///< largest T + U − external work after the first tenth, over its largest before
-    double kinetic = 0; ///< largest kinetic energy in the last tenth, over the largest of the first
-    double drift = 0;   ///< how far centres move from the middle of the run to its end [cells]
+    double heat = 0;     ///< largest T + U − external work after the first tenth, over its largest before
+    double kinetic = 0;  ///< largest kinetic energy in the last tenth, over the largest of the first
+    double drift = 0;    ///< how far centres move from the middle of the run to its end [cells]
     double sideways = 0; ///< how far centres are from their first x at the end [cells]
 };
 
@@ -73,11 +73,11 @@ void expect_rest(Figures& figures, long steps) {
         // No heating: the balance never rises again, and motion is at most what it was at first.
         figures.at_most("heat / first kinetic energy", name, std::max(0.0, r.heat), 1e-3);
         // FLIP rings on, all others filter it away: to 1 % in the first tenth, if at all.
-        figures.at_most(flip ? "kinetic energy at the end / at first, flip" : "kinetic energy at the end / at first", name,
-                        r.kinetic, flip ? 1 : 1e-4);
+        figures.at_most(flip ? "kinetic energy at the end / at first, flip" : "kinetic energy at the end / at first",
+                        name, r.kinetic, flip ? 1 : 1e-4);
         // FLIP's blocks are caught anywhere in their oscillation, up to the settlement of a hundredth of a cell.
-        figures.at_most(flip ? "drift in the second half [cells], flip" : "drift in the second half [cells]", name, r.drift,
-                        flip ? 0.01 : 1e-3);
+        figures.at_most(flip ? "drift in the second half [cells], flip" : "drift in the second half [cells]", name,
+                        r.drift, flip ? 0.01 : 1e-3);
         figures.at_most("sideways [cells]", name, r.sideways, 0.01);
     }
 }

@@ -48,12 +48,12 @@ struct Combination {
     StressUpdate stress = StressUpdate::usl;
 };
 
-constexpr NormalMethod all_normals[] = {
-    NormalMethod::logistic_regression, NormalMethod::linear_regression, NormalMethod::irls_regression,
-    NormalMethod::average_gradient,    NormalMethod::maximum_gradient,  NormalMethod::maximum_volume,
-    NormalMethod::own_gradient,        NormalMethod::specified};
-constexpr const char* normal_names[] = {"logistic", "linear", "irls", "average", "maximum gradient", "maximum volume",
-                                        "own", "specified"};
+constexpr NormalMethod all_normals[] = {NormalMethod::logistic_regression, NormalMethod::linear_regression,
+                                        NormalMethod::irls_regression,     NormalMethod::average_gradient,
+                                        NormalMethod::maximum_gradient,    NormalMethod::maximum_volume,
+                                        NormalMethod::own_gradient,        NormalMethod::specified};
+constexpr const char* normal_names[] = {"logistic",         "linear",         "irls", "average",
+                                        "maximum gradient", "maximum volume", "own",  "specified"};
 
 std::string words_of(const Combination& c) {
     constexpr const char* separations[] = {"edges", "critical", "fitted", "displacement", "none"};
@@ -75,7 +75,8 @@ void expect_crash_goes_well(Figures& figures, const Combination& c) {
     scene.contact->direction = {1, 0, 0};
     State<2> state = crash(scene);
     double contact_work = 0;
-    const auto watch = run_watched(state, 1.5, [&] { contact_work = std::max(contact_work, state.ledger.contact_work); });
+    const auto watch =
+        run_watched(state, 1.5, [&] { contact_work = std::max(contact_work, state.ledger.contact_work); });
     watch.expect_energy(figures, name, contact_work / watch.largest);
     if (c.normal != NormalMethod::own_gradient) watch.expect_momentum(figures, name); // see advice()
 }

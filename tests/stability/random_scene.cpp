@@ -9,9 +9,7 @@ namespace {
 /// Numbers that do not depend on the library's distributions.
 struct Dice {
     std::mt19937_64 engine;
-    double in(double low, double high) {
-        return low + (high - low) * (static_cast<double>(engine() >> 11) * 0x1p-53);
-    }
+    double in(double low, double high) { return low + (high - low) * (static_cast<double>(engine() >> 11) * 0x1p-53); }
     int below(int n) { return static_cast<int>(engine() % static_cast<std::uint64_t>(n)); }
     bool one_in(int n) { return below(n) == 0; }
     template <class T, std::size_t N>
@@ -58,7 +56,8 @@ RandomScene random_scene(std::uint64_t seed, Choice choice) {
     r.plane_stress = r.dimension == 2 && dice.one_in(8);
     r.cfl = advised ? dice.of({0.1, 0.3, 0.4}) : dice.of({0.1, 0.4, 0.6, 0.9});
     r.cell = dice.of({1.0, 0x1p-20, 0x1p8});
-    r.model = dice.of({MaterialModel::neo_hookean, MaterialModel::neo_hookean_isochoric, MaterialModel::linear_elastic});
+    r.model =
+        dice.of({MaterialModel::neo_hookean, MaterialModel::neo_hookean_isochoric, MaterialModel::linear_elastic});
     r.contrast = dice.of({1.0, 1.0, 10.0, 1000.0});
     // Bodies in a row of slots, so that none begins inside another.
     const int count = 1 + dice.below(r.dimension == 3 ? 3 : 5);
@@ -131,8 +130,8 @@ namespace {
 /// README.md), met by 3 of 3000 scenes, at most 1 % in them.
 constexpr double gain_of_sticking = 0.02;
 
-/// What scenes with FMPM of order 2 and more may gain. The energy of particles that get S m_k^-1 p is not the one that its
-/// steps keep, and no bound is known; one that diverges has gained all but a few percent of its energy.
+/// What scenes with FMPM of order 2 and more may gain. The energy of particles that get S m_k^-1 p is not the one that
+/// its steps keep, and no bound is known; one that diverges has gained all but a few percent of its energy.
 constexpr double gain_of_fmpm = 0.5;
 
 /// What a scene may gain: by the time integration, twice what it is for small strains (see deformation.cpp), and what
@@ -165,11 +164,12 @@ std::string fails_in(const RandomScene& r, Figures* figures) {
     const double gained = std::max(0.0, watch.excess - contact_work) / watch.largest;
     const bool full_mass = r.transfer.scheme == TransferScheme::fmpm && r.transfer.order > 1;
     const double gain_limit =
-        full_mass ? gain_of_fmpm
-                  : 2 * watch.energy_limit() / watch.largest + (sticks ? gain_of_sticking : 1e-12);
+        full_mass ? gain_of_fmpm : 2 * watch.energy_limit() / watch.largest + (sticks ? gain_of_sticking : 1e-12);
     if (figures && r.thinnest > 1)
-        figures->at_most(std::string("energy gained") + (full_mass ? ", fmpm" : sticks ? ", sticking" : ""), "", gained,
-                         gain_limit);
+        figures->at_most(std::string("energy gained") + (full_mass ? ", fmpm"
+                                                         : sticks  ? ", sticking"
+                                                                   : ""),
+                         "", gained, gain_limit);
     if (gained > gain_limit)
         return "energy gained " + std::to_string(gained) + ", at most " + std::to_string(gain_limit);
     return {};

@@ -111,7 +111,9 @@ TEST(ThinBodies, OneParticleAmongOthersStaysInItsHole) {
         const bool fmpm = scheme.scheme == TransferScheme::fmpm;
         figures.at_most(std::string("way from its hole / half edge") + (fmpm ? ", fmpm" : ""), name, off / 0.25,
                         fmpm ? 2 : 1);
-        if (fmpm) { EXPECT_GT(off / 0.25, 1) << "this limit is gone: say so in the table"; }
+        if (fmpm) {
+            EXPECT_GT(off / 0.25, 1) << "this limit is gone: say so in the table";
+        }
         watch.expect_energy(figures, name);
         watch.expect_momentum(figures, name);
     }

@@ -90,9 +90,9 @@ void expect_same_in_all_units(const TransferSpec& scheme, const ContactSpec& spe
     }
 }
 
-constexpr NormalMethod searched_normals[] = {
-    NormalMethod::logistic_regression, NormalMethod::linear_regression, NormalMethod::irls_regression,
-    NormalMethod::average_gradient,    NormalMethod::maximum_gradient,  NormalMethod::maximum_volume};
+constexpr NormalMethod searched_normals[] = {NormalMethod::logistic_regression, NormalMethod::linear_regression,
+                                             NormalMethod::irls_regression,     NormalMethod::average_gradient,
+                                             NormalMethod::maximum_gradient,    NormalMethod::maximum_volume};
 
 /// Nanometres and picoseconds, kilometres and seconds, and an odd unit of mass give the same bits.
 TEST(Units, NanometresAndKilometresGiveTheSameBits) {
