@@ -17,12 +17,12 @@ export OMP_WAIT_POLICY=passive OMP_NUM_THREADS=2
 # name | file | what is broken (sed)
 mutations() {
   cat <<'LIST'
-normal-sign|src/contact/normal/regress.h|s/^\( *\)return normal;/\1return -normal;/
+normal-sign|src/contact/normal/regress.h|s/return unit<D>(n);/return -unit<D>(n);/
 missing-delta-v|src/step/filter_velocities.cpp|s/if (delta) u -= /if (false) u -= /
 wrong-edge-distance|src/contact/separation/particle_edges.h|s/return half_size.cwiseProduct(F.transpose() \* n).norm();/return 0.5 * half_size.cwiseProduct(F.transpose() * n).norm();/
 skipped-second-correction|src/step/step.cpp|s/add(effects.contact, "second contact pass"/add(false, "second contact pass"/
 wall-impulse-sign|src/boundary/impose.cpp|s/total\[a\] += control.impulse/total[a] -= control.impulse/
-missing-J-in-Cauchy|src/results/particle_frame.cpp|s/ \/ J\b//
+missing-J-in-Cauchy|src/results/particle_frame.cpp|s/tau\[c\] \/ J;/tau[c] \/ (1 + 0 * J);/
 lumped-for-full-mass|src/step/filter_velocities.cpp|s/order < state.effects.extra_orders; ++order/order < 0; ++order/
 friction-without-limit|src/contact/law/friction.h|s/return at_rest \* N;/return 1e30 * N;/
 wrong-dF-order|src/step/update_stress.h|s/product<D>(exponential(dv), particles.deformation_gradient\[p\])/product<D>(particles.deformation_gradient[p], exponential(dv))/

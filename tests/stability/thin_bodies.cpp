@@ -71,36 +71,51 @@ TEST(ThinBodies, NeedlesOfOneParticleAcrossTheGridHitABlock) {
     }
 }
 
+/// A block with a hole of one particle, which another body of one particle fills, and a block that hits it.
+State<2> filled_hole(const TransferSpec& scheme) {
+    Scene scene = plane_scene(1, 0, 0, 22, 12, material(1, 100, 50));
+    scene.method.transfer = scheme;
+    scene.contact = contact(LawType::friction, 0.3);
+    Model model;
+    const int block = add_body(model, "block", {1, 0, 0}), one = add_body(model, "one", {1, 0, 0});
+    for (int j = 0; j < 12; ++j)
+        for (int i = 0; i < 12; ++i)
+            add_particle(model, i == 7 && j == 5 ? one : block, 3.25 + 0.5 * i, 3.25 + 0.5 * j, 0.25, 0.25);
+    add_box(model, add_body(model, "other", {-1, 0, 0}), 9.5, 3, 15.5, 9, 12, 12);
+    return make_state<2>(scene, model);
+}
+
+/// No plane parts a body from one that surrounds it: how far they reach past each other is no overlap to be removed. A
+/// body of one particle can't be overlapped by more than its own width.
+TEST(ThinBodies, AFilledHoleIsNoOverlap) {
+    State<2> state = filled_hole(transfer(TransferScheme::flip));
+    auto tasks = step_tasks<2>(state.scene);
+    state.dt = next_step(state, 1);
+    advance(state, tasks);
+    int points = 0;
+    for (const ContactPoint<2>& point : state.contact.points) {
+        if (point.body_a != 0 || point.body_b != 1) continue;
+        ++points;
+        EXPECT_LT(point.overlap, 0.5);
+    }
+    EXPECT_GE(points, 4) << "the nodes of a cell at least";
+}
+
 TEST(ThinBodies, OneParticleAmongOthersStaysInItsHole) {
     Figures figures("OneParticleAmongOthersStaysInItsHole");
     for (const TransferSpec& scheme : usual_transfers()) {
         SCOPED_TRACE(name_of(scheme));
-        Scene scene = plane_scene(1, 0, 0, 22, 12, material(1, 100, 50));
-        scene.method.transfer = scheme;
-        scene.contact = contact(LawType::friction, 0.3);
-        Model model;
-        const int block = add_body(model, "block", {1, 0, 0}), one = add_body(model, "one", {1, 0, 0});
-        for (int j = 0; j < 12; ++j)
-            for (int i = 0; i < 12; ++i)
-                add_particle(model, i == 7 && j == 5 ? one : block, 3.25 + 0.5 * i, 3.25 + 0.5 * j, 0.25, 0.25);
-        add_box(model, add_body(model, "other", {-1, 0, 0}), 9.5, 3, 15.5, 9, 12, 12);
-        State<2> state = make_state<2>(scene, model);
-        // The hole is where its eight neighbours are.
-        std::vector<int> neighbours;
-        int alone = -1;
-        for (std::size_t p = 0; p < model.size(); ++p)
-            if (model.body[p] == one) alone = static_cast<int>(p);
-        for (std::size_t p = 0; p < model.size(); ++p)
-            if (int(p) != alone && std::abs(model.position[p][0] - model.position[alone][0]) < 0.6 &&
-                std::abs(model.position[p][1] - model.position[alone][1]) < 0.6)
-                neighbours.push_back(static_cast<int>(p));
+        State<2> state = filled_hole(scheme);
+        // The hole is where its eight neighbours are; ids go along rows of twelve.
+        constexpr int alone = 5 * 12 + 7;
+        constexpr int neighbours[] = {-13, -12, -11, -1, 1, 11, 12, 13};
         double off = 0;
         const auto watch = run_watched(state, 4, [&] {
             Vec<2> hole = Vec<2>::Zero(), place = Vec<2>::Zero();
             for (std::size_t p = 0; p < state.particles.size(); ++p) {
                 if (state.particles.id[p] == alone) place = state.particles.position[p];
                 for (const int n : neighbours)
-                    if (state.particles.id[p] == n) hole += state.particles.position[p] / 8;
+                    if (state.particles.id[p] == alone + n) hole += state.particles.position[p] / 8;
             }
             off = std::max(off, (place - hole).norm());
         });
