@@ -6,6 +6,7 @@
 #include "contact/separation/particle_edges.h"
 #include "contact/separation/widest_gap.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace abut {
@@ -88,7 +89,9 @@ double rigid_edge(const State<D>& state, const ContactGroup<D>& group, std::ptrd
 /// to the node. The cloud reaches up to two cells to the sides; where the interface is curved its outermost particles
 /// make the separation negative though nothing overlaps. The overlap therefore counts only particles whose centres lie
 /// within half a cell of the line through the node along n, and what is left of the curvature, of the steps in a
-/// body's edge and of the inscribed ellipses is covered by a tenth of a cell.
+/// body's edge and of the inscribed ellipses is covered by a tenth of a cell. Where one body has matter on both sides
+/// of the other no plane parts them, and how far they reach past each other is no overlap: a particle in a hole of
+/// another body would else be driven out of it, by energy from nowhere.
 template <int D>
 void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_t g, ContactPoint<D>& point,
               EdgeParticles& cloud) {
@@ -99,6 +102,8 @@ void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_
     const Vec<D> node = state.grid.node_position(group.node);
     Edges all;
     Edges near;
+    double a_begins = std::numeric_limits<double>::infinity(); // of what is near, along n
+    double b_ends = -a_begins;
     cloud.clear();
     for (const std::int32_t p : particles_of_group(state.contact, g)) {
         if (!takes_part(point, particles.body[p])) continue;
@@ -108,8 +113,13 @@ void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_
         const bool side_a = particles.body[p] == point.body_a;
         all.add(side_a, along, R, p);
         cloud.push_back({p, side_a, side_a ? along + R : along - R});
-        if ((x - along * point.normal).squaredNorm() < half_width * half_width * length * length)
+        if ((x - along * point.normal).squaredNorm() < half_width * half_width * length * length) {
             near.add(side_a, along, R, p);
+            if (side_a)
+                a_begins = std::min(a_begins, along - R);
+            else
+                b_ends = std::max(b_ends, along + R);
+        }
     }
     point.cloud_size = static_cast<std::int32_t>(cloud.size());
     point.separation = all.b - all.a;
@@ -126,7 +136,8 @@ void by_edges(const State<D>& state, const ContactGroup<D>& group, std::ptrdiff_
             normal, gap_of(particles, all, normal), 1e-3 * length, 0.05 * length,
             [&](const Vec<D>& n) { return gap_along(particles, node, cloud, n); }, direction);
     }
-    point.overlap = std::max(0.0, near.a - near.b - tolerance * length);
+    const bool surrounded = near.b <= a_begins || near.a >= b_ends;
+    point.overlap = surrounded ? 0 : std::max(0.0, near.a - near.b - tolerance * length);
     const bool rigid = point.rigid_a || point.rigid_b;
     if (rigid && point.slot_b >= 0 && !is_interface(state.contact.laws.between(point.body_a, point.body_b)))
         point.at_node = rigid_edge(state, group, g, point, point.rigid_a ? all.a : all.b);
