@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace abut {
 
 namespace {
@@ -145,6 +147,8 @@ void add_arrays(std::string& page, const char* file, std::span<const ArrayInfo> 
 }
 
 void add_later(std::string& page) {
+    const auto is_later = [](const Key& key) { return key.kind == Kind::later || !key.later_words.empty(); };
+    if (std::none_of(scene_keys().begin(), scene_keys().end(), is_later)) return;
     page += "## Not in this version\n\nThese names are kept for later versions; a scene that uses them is refused.\n\n";
     for (const Key& key : scene_keys()) {
         if (key.kind == Kind::later) page += fmt::format("* {}\n", heading_of(key.path));

@@ -93,13 +93,6 @@ TEST(SceneStructure, Words) {
     });
 }
 
-TEST(SceneStructure, NotInThisVersion) {
-    const std::string not_available = "not available in this version";
-    expect_problems({
-        {"/output/checkpoint_every", R"("2 us")", "/output/checkpoint_every", not_available},
-    });
-}
-
 TEST(SceneStructure, KeysThatGoTogether) {
     expect_problems({
         {"/time/step", "1e-9", "/time",
