@@ -188,7 +188,9 @@ TEST(LeavingTheGrid, InSpace) {
     State<3> state = make_state<3>(scene, model);
     const std::string message = message_of([&] { run(state, 10); });
     expect_says(message, {"step ", "time ", "particle ", "of body \"leaves\"", " at (", "left the grid"});
-    EXPECT_EQ(std::count(message.begin(), message.end(), ','), 4) << "three coordinates: " << message;
+    const std::size_t open = message.find(" at (");
+    const std::string place = message.substr(open, message.find(')', open) - open);
+    EXPECT_EQ(std::count(place.begin(), place.end(), ','), 2) << "three coordinates: " << message;
 }
 
 } // namespace
