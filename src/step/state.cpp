@@ -16,7 +16,7 @@ LawTable law_table(const ContactSpec& contact, const std::vector<ModelBody>& bod
     const auto indices = [&](const std::string& name) {
         std::vector<std::int32_t> found;
         for (std::size_t b = 0; b < bodies.size(); ++b)
-            if (bodies[b].name == name || bodies[b].group == name) found.push_back(static_cast<std::int32_t>(b));
+            if (bodies[b].is_called(name)) found.push_back(static_cast<std::int32_t>(b));
         return found;
     };
     for (const PairLawSpec& pair : contact.laws) {
