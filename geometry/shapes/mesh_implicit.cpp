@@ -1,7 +1,7 @@
 // Surfaces of expressions by Delaunay refinement (CGAL's Mesh_3). The triangles are those between tetrahedra inside and
 // outside: closed whatever happens. Compiling this file takes a minute and 3 GB.
+#include "expression/expression.h"
 #include "geometry/shapes/check_surface.h"
-#include "geometry/shapes/expression.h"
 #include "geometry/shapes/sign_raster.h"
 #include "geometry/shapes/surface.h"
 
@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -40,8 +41,14 @@ struct NotANumber {
 /// The expression at points of the scene. Counts.
 class Field {
 public:
-    explicit Field(const Implicit& spec) : expression_(spec.expression), unit_(spec.unit) {}
-    double operator()(const Vector& x) const { return expression_(x[0] / unit_, x[1] / unit_, x[2] / unit_); }
+    explicit Field(const Implicit& spec) : expression_(spec.expression, {"x", "y", "z"}), unit_(spec.unit) {
+        if (expression_.used().empty())
+            throw std::runtime_error(
+                fmt::format("\"{}\": x, y and z don't occur, so it is the same everywhere", spec.expression));
+    }
+    double operator()(const Vector& x) const {
+        return expression_(std::array{x[0] / unit_, x[1] / unit_, x[2] / unit_});
+    }
     double counted(const Vector& x) {
         if (++evaluations_ > most_evaluations) throw TooMany();
         const double value = (*this)(x);

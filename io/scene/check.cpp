@@ -28,13 +28,13 @@ struct PlaceOf {
 PlaceOf place_of(const Key& key, const Json& object, const Node& node, const Checking& checking) {
     if (!key.only_with) return {};
     const OnlyWith& only = *key.only_with;
-    const Key& neighbour = *(only.of_scene() ? scene_specification() : node).find(only.name())->key;
+    const Key& neighbour = *(only.of_scene() ? checking.specification : node).find(only.name())->key;
     const Json* given = find(only.of_scene() ? checking.scene : object, only.name());
     if (only.values.empty()) return {given ? Place::right : Place::wrong};
     if (!given && !neighbour.otherwise) return {Place::unknown};
     const Json value = given ? *given : Json::parse(*neighbour.otherwise);
     Problems ignored;
-    Checking silent{checking.scene, checking.analysis, ignored};
+    Checking silent{checking.scene, checking.analysis, ignored, checking.specification};
     if (!check_value(value, neighbour, "", silent)) return {Place::unknown};
     const bool right = std::any_of(only.values.begin(), only.values.end(),
                                    [&](const std::string& allowed) { return value == Json::parse(allowed); });
@@ -186,6 +186,14 @@ CheckedScene check_scene(const Json& scene) {
     CheckedScene result{Json::object(), {}};
     Checking checking{scene, analysis_of(scene), result.problems};
     std::optional<Json> checked = check_node(scene, scene_specification(), "", checking);
+    if (checked) result.scene = std::move(*checked);
+    return result;
+}
+
+CheckedScene check_document(const Json& document, const SpecificationNode& specification) {
+    CheckedScene result{Json::object(), {}};
+    Checking checking{document, {}, result.problems, specification};
+    std::optional<Json> checked = check_node(document, specification, "", checking);
     if (checked) result.scene = std::move(*checked);
     return result;
 }

@@ -19,11 +19,15 @@ struct CheckedScene {
 /// Checks keys, types, units, ranges and words, and fills in defaults.
 CheckedScene check_scene(const Json& scene);
 
+/// The same for a document of another kind, whose keys have no vectors.
+CheckedScene check_document(const Json& document, const SpecificationNode& specification);
+
 /// What checking a value of a scene needs to know of the whole.
 struct Checking {
     const Json& scene;                ///< as written
     std::optional<Analysis> analysis; ///< analysis_of(scene)
     std::vector<Problem>& problems;   ///< found so far
+    const SpecificationNode& specification = scene_specification();
 };
 
 /// The analysis that an unchecked scene asks for, which decides how many components vectors have; nothing if what it

@@ -134,6 +134,8 @@ std::optional<Json> check_value(const Json& json, const Key& key, const std::str
         return word(value);
     case Kind::colour:
         return colour(value);
+    case Kind::any:
+        return json;
     case Kind::later:
         return value.wrong("not available in this version of abut; leave this key out");
     case Kind::object:

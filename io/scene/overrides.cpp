@@ -138,6 +138,25 @@ std::optional<std::string> enter(Walk& walk, const std::string& token, bool last
 
 } // namespace
 
+std::optional<std::string> apply_setting(Json& scene, const std::string& pointer, const Json& value) {
+    const std::vector<std::string> tokens = tokens_of(pointer);
+    Json changed = scene;
+    Walk walk{&changed, &scene_specification()};
+    Walk parent = walk;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        parent = walk;
+        if (std::optional<std::string> message = enter(walk, tokens[i], i + 1 == tokens.size(), scene)) return message;
+    }
+    if (!value.is_null() || !parent.value->is_object()) {
+        *walk.value = value;
+    } else {
+        if (walk.made) return {}; // it was not there anyway
+        parent.value->erase(tokens.back());
+    }
+    scene = std::move(changed);
+    return {};
+}
+
 void apply_override(Json& scene, const std::string& override, std::vector<Problem>& problems) {
     const std::size_t equals = override.find('=');
     if (equals == std::string::npos || equals == 0 || override.front() != '/') {
@@ -148,18 +167,7 @@ void apply_override(Json& scene, const std::string& override, std::vector<Proble
     }
     const std::string pointer = override.substr(0, equals);
     const std::string text = override.substr(equals + 1);
-    const std::vector<std::string> tokens = tokens_of(pointer);
-
-    Json changed = scene;
-    Walk walk{&changed, &scene_specification()};
-    Walk parent = walk;
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        parent = walk;
-        if (const std::optional<std::string> message = enter(walk, tokens[i], i + 1 == tokens.size(), scene)) {
-            problems.push_back({pointer, "--set: " + *message});
-            return;
-        }
-    }
+    Json value = text;
     ParsedJson parsed = parse_json(text);
     if (!parsed.value) {
         // No key wants a text like this: it is a list or an object with a slip of the pen.
@@ -168,18 +176,12 @@ void apply_override(Json& scene, const std::string& override, std::vector<Proble
             problems.push_back({pointer, fmt::format("--set: {} is not valid JSON{}", text, why)});
             return;
         }
-        *walk.value = text;
     } else {
         for (const Problem& problem : parsed.problems) problems.push_back({pointer + problem.pointer, problem.message});
-        const bool remove = parsed.value->is_null() && parent.value->is_object();
-        if (remove && walk.made) return; // it was not there anyway
-        if (remove) {
-            parent.value->erase(tokens.back());
-        } else {
-            *walk.value = std::move(*parsed.value);
-        }
+        value = std::move(*parsed.value);
     }
-    scene = std::move(changed);
+    if (const std::optional<std::string> message = apply_setting(scene, pointer, value))
+        problems.push_back({pointer, "--set: " + *message});
 }
 
 } // namespace abut

@@ -90,15 +90,20 @@ std::string resolved_text(const Json& scene) {
 } // namespace
 
 LoadedScene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-    ParsedJson parsed = parse_json(read_text(file));
+    return load_scene_text(read_text(file), file.string(), std::filesystem::absolute(file).parent_path(), overrides);
+}
+
+LoadedScene load_scene_text(const std::string& text, const std::string& shown, const std::filesystem::path& folder,
+                            const std::vector<std::string>& overrides) {
+    ParsedJson parsed = parse_json(text);
     std::vector<Problem> problems = std::move(parsed.problems);
-    if (!parsed.value) throw SceneError(file.string(), problems);
+    if (!parsed.value) throw SceneError(shown, problems);
     if (parsed.value->is_object())
         for (const std::string& override : overrides) apply_override(*parsed.value, override, problems);
 
     CheckedScene checked = check_scene(*parsed.value);
     problems.insert(problems.end(), checked.problems.begin(), checked.problems.end());
-    make_paths_absolute(checked.scene, scene_specification(), std::filesystem::absolute(file).parent_path());
+    make_paths_absolute(checked.scene, scene_specification(), folder);
 
     // After a problem of structure, numbers may be missing, but names can still be checked.
     const bool complete = problems.empty();
@@ -106,7 +111,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const std::vector<std:
     Scene scene = bind_scene(checked.scene, elastic);
     if (complete) problems = elastic;
     add_new(problems, complete ? validate(scene) : validate_names(scene));
-    if (!problems.empty()) throw SceneError(file.string(), problems);
+    if (!problems.empty()) throw SceneError(shown, problems);
     return {std::move(scene), resolved_text(checked.scene)};
 }
 

@@ -23,6 +23,11 @@ struct LoadedScene {
 /// Throws SceneError with all the problems of the scene; problems of the file as a whole have an empty pointer.
 LoadedScene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+/// The same for the text of a scene.
+/// \param shown what messages call it \param folder where relative files start from
+LoadedScene load_scene_text(const std::string& text, const std::string& shown, const std::filesystem::path& folder,
+                            const std::vector<std::string>& overrides = {});
+
 /// JSON Schema (draft 2020-12) of scene files, as JSON text. What it cannot say (units, meaning) only load_scene
 /// checks.
 std::string scene_schema();

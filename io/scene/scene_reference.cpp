@@ -1,3 +1,5 @@
+#include "io/scene/scene_reference.h"
+
 #include "io/scene/check.h"
 #include "io/scene/read_scene.h"
 #include "io/scene/scene_reference_texts.h"
@@ -74,6 +76,8 @@ std::string type_of(const Key& key) {
         return code_list(key.words, " \\| ");
     case Kind::colour:
         return "`\"#rrggbb\"`";
+    case Kind::any:
+        return "anything";
     case Kind::later:
         break;
     }
@@ -108,7 +112,6 @@ std::string sentence_of(const Group& group) {
 
 /// "/bodies/#/disk" as "bodies / # / disk" with readable place-holders.
 std::string heading_of(const std::string& path) {
-    if (path.empty()) return "The scene";
     std::string heading = "`";
     for (const char letter : path) {
         if (letter == '*') {
@@ -122,10 +125,10 @@ std::string heading_of(const std::string& path) {
     return heading + "`";
 }
 
-void add_section(std::string& page, const SpecificationNode& node) {
+void add_section(std::string& page, const SpecificationNode& node, const std::string& heading) {
     const Key& key = *node.key;
     if (key.kind == Kind::object) {
-        page += fmt::format("## {}\n\n{}\n\n", heading_of(key.path), key.meaning);
+        page += fmt::format("## {}\n\n{}\n\n", heading, key.meaning);
         for (const Group* group : node.groups) page += sentence_of(*group);
         page += "| key | type | default | meaning |\n| --- | --- | --- | --- |\n";
         for (const SpecificationNode& child : node.children) {
@@ -135,7 +138,7 @@ void add_section(std::string& page, const SpecificationNode& node) {
         }
         page += '\n';
     }
-    for (const SpecificationNode& child : node.children) add_section(page, child);
+    for (const SpecificationNode& child : node.children) add_section(page, child, heading_of(child.key->path));
 }
 
 void add_arrays(std::string& page, const char* file, std::span<const ArrayInfo> arrays) {
@@ -159,9 +162,15 @@ void add_later(std::string& page) {
 
 } // namespace
 
+std::string key_tables(const SpecificationNode& specification, const std::string& heading) {
+    std::string page;
+    add_section(page, specification, heading);
+    return page;
+}
+
 std::string scene_reference() {
     std::string page = reference_introduction;
-    add_section(page, scene_specification());
+    page += key_tables(scene_specification(), "The scene");
     page += result_arrays;
     add_arrays(page, "Particles: particles.pvd", particle_arrays());
     add_arrays(page, "The grid's nodes: grid.pvd", grid_arrays());

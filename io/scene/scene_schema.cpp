@@ -101,6 +101,7 @@ Json value_schema(const Key& key) {
     case Kind::object:
     case Kind::list:
     case Kind::map:
+    case Kind::any:
     case Kind::later:
         break; // made in node_schema, or never
     }

@@ -31,14 +31,14 @@ SpecificationNode& descend(SpecificationNode& root, const std::string& path) {
     return *node;
 }
 
-SpecificationNode build() {
+} // namespace
+
+SpecificationNode make_specification(const std::vector<Key>& keys, const std::vector<Group>& groups) {
     SpecificationNode root;
-    for (const Key& key : scene_keys()) descend(root, key.path).key = &key;
-    for (const Group& group : scene_groups()) descend(root, group.path).groups.push_back(&group);
+    for (const Key& key : keys) descend(root, key.path).key = &key;
+    for (const Group& group : groups) descend(root, group.path).groups.push_back(&group);
     return root;
 }
-
-} // namespace
 
 const SpecificationNode* SpecificationNode::find(std::string_view child) const {
     for (const SpecificationNode& node : children)
@@ -68,7 +68,7 @@ const std::vector<Group>& scene_groups() {
 }
 
 const SpecificationNode& scene_specification() {
-    static const SpecificationNode root = build();
+    static const SpecificationNode root = make_specification(scene_keys(), scene_groups());
     return root;
 }
 

@@ -33,6 +33,7 @@ enum class Kind {
     file,   ///< a path; relative ones start from the scene file's folder
     word,   ///< one of `words`
     colour, ///< "#rrggbb"
+    any,    ///< whatever: it is checked elsewhere
     later,  ///< planned; every use is a problem that says so
 };
 
@@ -106,6 +107,9 @@ struct SpecificationNode {
 const std::vector<Key>& scene_keys();
 /// All groups.
 const std::vector<Group>& scene_groups();
+/// Keys and groups, which must outlive it, as a tree; the root's path is "".
+SpecificationNode make_specification(const std::vector<Key>& keys, const std::vector<Group>& groups);
+
 /// The same keys as a tree; its root is the scene itself.
 const SpecificationNode& scene_specification();
 

@@ -48,6 +48,7 @@ struct RunOptions {
     bool overwrite = false;
     bool resume = false; ///< goes on from the checkpoint in `output`
     bool quiet = false;
+    bool count_instructions = false; ///< of stepping, into timing.json
 };
 
 struct RenderRequest {

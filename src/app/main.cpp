@@ -148,6 +148,8 @@ int run_program(int argc, char** argv) {
     run->add_option("--steps", run_options.steps, "stop after so many steps, those before --resume included")
         ->check(CLI::PositiveNumber);
     run->add_flag("--quiet", run_options.quiet, "no progress");
+    run->add_flag("--count-instructions", run_options.count_instructions,
+                  "count the instructions of stepping for timing.json, where the system allows it");
     run->callback([&] { action = [&] { return run_command(run_options); }; });
 
     SceneOptions check_options;

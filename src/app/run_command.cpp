@@ -1,6 +1,7 @@
 #include "app/checkpoints.h"
 #include "app/commands.h"
 #include "app/good_states.h"
+#include "app/instruction_counter.h"
 #include "app/run_files.h"
 #include "app/schedule.h"
 #include "app/trouble.h"
@@ -36,6 +37,43 @@ void on_signal(int signal) {
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
+
+/// Of all threads so far [s].
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Adds up what stepping costs, with pauses.
+class Meter {
+public:
+    /// Before any other thread is there: of those that are, instructions are not counted.
+    explicit Meter(bool instructions) {
+        if (instructions) counter_.emplace();
+    }
+    void go_on() {
+        running_ = true;
+        cpu_ = cpu_seconds();
+        if (counter_) instructions_ = counter_->count();
+    }
+    /// \return whether it was going on
+    bool pause(RunTiming& timing) {
+        if (!running_) return false;
+        running_ = false;
+        timing.solver_cpu_seconds += cpu_seconds() - cpu_;
+        if (instructions_)
+            if (const auto now = counter_->count())
+                timing.instructions = timing.instructions.value_or(0) + *now - *instructions_;
+        return true;
+    }
+
+private:
+    std::optional<InstructionCounter> counter_;
+    bool running_ = false;
+    double cpu_ = 0;                        ///< at the last go_on()
+    std::optional<long long> instructions_; ///< likewise
+};
 
 double history_interval(const Scene& scene) {
     if (scene.output.history_every) return *scene.output.history_every;
@@ -95,7 +133,8 @@ void open_files(std::optional<RunFiles>& files, const std::filesystem::path& fol
 /// Runs a scene in its number of dimensions.
 template <int D>
 int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::steady_clock::time_point start) {
-    const std::clock_t cpu_start = std::clock();
+    const double cpu_start = cpu_seconds();
+    Meter meter(options.count_instructions);
     const double end = end_time(options, loaded.scene);
     const Model model = build_model(loaded.scene, options.scene.scene.string());
     if (options.threads > 0) omp_set_num_threads(options.threads);
@@ -128,17 +167,24 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     Schedule history(history_interval(loaded.scene));
     history.due(0);
     if (resumed) history.resume(state.time, resumed->history_every, resumed->history_next);
-    const auto write_frames = [&](Frames which) {
+    /// Output is not part of what stepping costs.
+    const auto timed = [&](const auto& write) {
         const auto writing = std::chrono::steady_clock::now();
-        if (!files->write_frames(state, which)) return;
+        const bool stepping = meter.pause(timing);
+        write();
         timing.output_seconds += seconds_since(writing);
+        if (stepping) meter.go_on();
+    };
+    const auto write_frames = [&](Frames which) {
+        bool written = false;
+        timed([&] { written = files->write_frames(state, which); });
+        if (!written) return;
         const std::optional<double> overlap = files->interpenetration();
         progress.note(overlap ? fmt::format("interpenetration {:.2e} of the area", *overlap) : "");
     };
     const auto write_history = [&] {
-        const auto writing = std::chrono::steady_clock::now();
-        const Totals all = files->write_history(state);
-        timing.output_seconds += seconds_since(writing);
+        Totals all;
+        timed([&] { all = files->write_history(state); });
         return all;
     };
     const auto output_progress = [&] {
@@ -148,16 +194,17 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
         return output;
     };
     const auto write_checkpoint = [&] {
-        const auto writing = std::chrono::steady_clock::now();
-        if (good.empty())
-            checkpoints.write(state, output_progress());
-        else
-            checkpoints.write(good.oldest().state, good.oldest().output);
-        timing.output_seconds += seconds_since(writing);
+        timed([&] {
+            if (good.empty())
+                checkpoints.write(state, output_progress());
+            else
+                checkpoints.write(good.oldest().state, good.oldest().output);
+        });
     };
     const auto finish = [&] {
         timing.wall_seconds = seconds_since(start);
-        timing.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+        timing.cpu_seconds = cpu_seconds() - cpu_start;
+        meter.pause(timing);
         write_timing(folder / "timing.json", state, tasks, timing);
     };
 
@@ -190,6 +237,7 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
             const double after = state.time + state.dt;
             state.wants_areas = state.effects.pairs && (history.is_due(after) || after >= end);
             advance(state, tasks);
+            timing.node_updates += static_cast<long long>(state.fields.size());
             timing.solver_seconds += seconds_since(step_start);
             progress.update(state.step, state.time);
             history_written = history.due(state.time);
@@ -218,6 +266,8 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
         checkpoints.go_back(from);
         write_checkpoint();
     };
+    timing.first_step = state.step;
+    meter.go_on();
     for (;;) {
         try {
             run_to_end();
@@ -227,6 +277,7 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
                 go_back_and_halve_step(error);
                 continue;
             }
+            timing.trouble = word_of(error.trouble());
             std::string unwritten; // a disk that is full as well must not hide the diagnosis
             try {
                 if (!good.empty()) write_checkpoint();
@@ -237,6 +288,7 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
             report_trouble(error, state, *files, good, checkpoints.last(), unwritten);
         }
     }
+    meter.pause(timing);
     // Before the rows and frames that only this end of the run calls for.
     if (!cut_short || !good.empty()) write_checkpoint();
     if (!history_written) write_history();

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include <fstream>
+
 namespace abut {
 
 namespace {
@@ -70,6 +72,17 @@ bool gets_frame(RunSeries& series, double time, Frames which) {
 
 std::filesystem::path apart(const std::filesystem::path& folder, const std::string& name) {
     return folder / "particles" / (name + ".vtu");
+}
+
+/// Most memory that this program has had at once [bytes]. What getrusage() tells begins with that of the program which
+/// started this one.
+long long peak_memory() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmHWM:")) return std::stoll(line.substr(6)) * 1024;
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<long long>(usage.ru_maxrss) * 1024;
 }
 
 template <int D>
@@ -204,14 +217,13 @@ std::string RunFiles::last_frame() const {
 template <int D>
 void write_timing(const std::filesystem::path& file, const State<D>& state, const std::vector<Task<D>>& tasks,
                   const RunTiming& timing) {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const double particle_steps =
-        static_cast<double>(state.particles.size()) * static_cast<double>(state.step + timing.abandoned_steps);
+    const auto particle_steps =
+        static_cast<long long>(state.particles.size()) * (state.step - timing.first_step + timing.abandoned_steps);
     nlohmann::ordered_json json = {
         {"wall_seconds", timing.wall_seconds},
         {"cpu_seconds", timing.cpu_seconds},
         {"solver_seconds", timing.solver_seconds},
+        {"solver_cpu_seconds", timing.solver_cpu_seconds},
         {"output_seconds", timing.output_seconds},
         {"tasks", nlohmann::ordered_json::object()},
         {"steps", state.step},
@@ -220,8 +232,13 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
         {"particles", state.particles.size()},
         {"nodes", state.fields.size()},
         {"threads", timing.threads},
-        {"peak_memory_bytes", std::size_t(usage.ru_maxrss) * 1024},
-        {"ns_per_particle_step", particle_steps > 0 ? timing.solver_seconds * 1e9 / particle_steps : 0.0}};
+        {"peak_memory_bytes", peak_memory()},
+        {"particle_updates", particle_steps},
+        {"node_updates", timing.node_updates},
+        {"ns_per_particle_step",
+         particle_steps > 0 ? timing.solver_seconds * 1e9 / static_cast<double>(particle_steps) : 0.0}};
+    if (timing.instructions) json["instructions"] = *timing.instructions;
+    if (!timing.trouble.empty()) json["trouble"] = timing.trouble;
     for (const Task<D>& task : tasks) {
         auto& seconds = json["tasks"][task.name];
         seconds = (seconds.is_null() ? 0.0 : double(seconds)) + task.seconds;

@@ -83,9 +83,14 @@ private:
 struct RunTiming {
     double wall_seconds = 0;
     double cpu_seconds = 0;
-    double solver_seconds = 0; ///< stepping
-    double output_seconds = 0; ///< making and writing frames and rows
-    long abandoned_steps = 0;  ///< given up after trouble
+    double solver_seconds = 0;             ///< stepping
+    double output_seconds = 0;             ///< making and writing frames and rows
+    double solver_cpu_seconds = 0;         ///< CPU time of all threads while stepping
+    long first_step = 0;                   ///< of the run that this one goes on with
+    long abandoned_steps = 0;              ///< given up after trouble
+    long long node_updates = 0;            ///< slots of all steps
+    std::optional<long long> instructions; ///< of stepping
+    std::string trouble;                   ///< what ended the run; empty: nothing
     int threads = 1;
 };
 

@@ -159,6 +159,34 @@ std::string trouble_report(const std::string& diagnosis, const std::vector<std::
 
 } // namespace
 
+std::string word_of(Trouble trouble) {
+    switch (trouble) {
+    case Trouble::left_grid:
+        return "left-grid";
+    case Trouble::domain_left_grid:
+        return "domain-left-grid";
+    case Trouble::crossed_axis:
+        return "crossed-axis";
+    case Trouble::too_fast:
+        return "too-fast";
+    case Trouble::not_a_number:
+        return "not-a-number";
+    case Trouble::inside_out:
+        return "inside-out";
+    case Trouble::stretched:
+        return "stretched";
+    case Trouble::step_too_large:
+        return "step-too-large";
+    case Trouble::step_vanished:
+        return "step-vanished";
+    case Trouble::energy_growth:
+        return "energy-growth";
+    case Trouble::rigid_left_grid:
+        return "rigid-left-grid";
+    }
+    return "";
+}
+
 bool depends_on_step(Trouble trouble) {
     return trouble != Trouble::rigid_left_grid && trouble != Trouble::step_vanished;
 }

@@ -7,6 +7,9 @@
 
 namespace abut {
 
+/// "energy-growth", "left-grid" ...: for timing.json.
+std::string word_of(Trouble trouble);
+
 /// Whether a smaller time step can help.
 bool depends_on_step(Trouble trouble);
 
