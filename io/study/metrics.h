@@ -25,9 +25,12 @@ struct VariantColumns {
 /// Checks the expressions of all metrics against what a variant will have. Problems have pointers into the study file.
 std::vector<Problem> check_metrics(const Study& study, const Variant& variant, const VariantColumns& columns);
 
-/// Measures all variants that are done, fills in `metrics`, `absent` and the series.
-/// \param folder of the study \param variants in the order of `results.variants`
-void measure(const Study& study, const std::vector<Variant>& variants, const std::filesystem::path& folder,
-             StudyResults& results);
+/// Where the results of a variant are in the study's folder.
+std::string run_folder(const Variant& variant);
+
+/// Measures all variants that are done: fills in `metrics`, `absent` and the series.
+/// \param columns one a variant \param folder of the study \param results with the same variants
+void measure(const Study& study, const std::vector<Variant>& variants, const std::vector<VariantColumns>& columns,
+             const std::filesystem::path& folder, StudyResults& results);
 
 } // namespace abut

@@ -48,6 +48,10 @@ struct Cost {
     std::string machine; ///< host name and processor
 };
 
+/// As JSON text and back; a run's timing.json can be read as well. Throws std::exception for a text that is none.
+std::string cost_text(const Cost& cost);
+Cost cost_of(const std::string& text);
+
 /// A run of the family and what came of it.
 struct VariantResult {
     std::string name;                         ///< levels in words: "1 mm, FMPM(2), cpdi"
@@ -90,7 +94,7 @@ struct MetricResult {
     std::string name;
     std::string type;                ///< as in the study file
     std::string meaning;             ///< one line for captions: "rms of velocity_x against 3*t, relative"
-    bool is_error = true;            ///< a magnitude to be small; else a value with sign
+    bool is_error = true;            ///< 0 would be perfect (a loss of energy may have a sign); else just a value
     std::optional<double> tolerance; ///< magnitude that is good enough
 };
 

@@ -176,7 +176,7 @@ std::vector<Key> metrics() {
          .meaning = "Whether the difference is divided by what the value should be, reduced likewise."},
         {.path = "/metrics/*/scale",
          .kind = Kind::name,
-         .only_with = only_of({"history", "particles", "convergence", "momentum-error", "symmetry-error"}),
+         .only_with = only_of({"history", "particles", "momentum-error", "symmetry-error"}),
          .meaning = "Expression in parameters (and `first_` columns) that the metric is divided by."},
         {.path = "/metrics/*/bodies",
          .kind = Kind::list,

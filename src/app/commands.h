@@ -51,6 +51,17 @@ struct RunOptions {
     bool count_instructions = false; ///< of stepping, into timing.json
 };
 
+struct StudyOptions {
+    std::filesystem::path study;
+    std::filesystem::path output;             ///< empty: NAME-results, NAME that of the study file
+    int jobs = 1;                             ///< runs at the same time
+    std::string shard;                        ///< "I/N": every Nth variant, from the Ith; empty: all
+    std::vector<std::filesystem::path> merge; ///< study folders whose runs are taken over; nothing is run then
+    bool list = false;                        ///< only tells what would be run
+    bool overwrite = false;                   ///< runs all anew
+    bool quiet = false;
+};
+
 struct RenderRequest {
     std::filesystem::path results;
     RenderOptions options; ///< its jobs 0: one for each core
@@ -96,6 +107,7 @@ int run_command(const RunOptions& options);
 /// \param png where to draw the bodies; empty: nowhere
 int check_command(const SceneOptions& options, const std::filesystem::path& png);
 int particles_command(const SceneOptions& options, ParticlesOptions preview);
+int study_command(const StudyOptions& options);
 int render_command(const RenderRequest& request);
 int plot_command(const std::filesystem::path& results, const PlotOptions& options);
 int contact_command(const ContactOptions& options);

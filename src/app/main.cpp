@@ -120,6 +120,24 @@ void add_plot(CLI::App& command, std::filesystem::path& results, PlotOptions& op
     command.add_option("--title", options.title, "default: the scene's");
 }
 
+void add_study(CLI::App& program, StudyOptions& options, std::function<int()>& action) {
+    CLI::App* study = program.add_subcommand("study", "Runs a family of scenes and tabulates accuracy against cost");
+    study->add_option("STUDY", options.study, "study file (JSON)")->required();
+    study->add_option("-o,--output", options.output, "folder of the study; default NAME-results. What is done is kept");
+    CLI::Option* list = study->add_flag("--list", options.list, "tell what would be run; run nothing");
+    study->add_option("--jobs", options.jobs, "runs at the same time; times are not reliable then")
+        ->check(CLI::Range(1, 1024));
+    study->add_option("--shard", options.shard, "I/N: only every Nth variant, from the Ith, e.g. 1/2 and 2/2")
+        ->type_name("I/N")
+        ->excludes(list);
+    study->add_option("--merge", options.merge, "take over the runs of these study folders (shards); run nothing")
+        ->type_name("DIR...")
+        ->excludes(list);
+    study->add_flag("--overwrite", options.overwrite, "run everything anew");
+    study->add_flag("--quiet", options.quiet, "no progress");
+    study->callback([&] { action = [&] { return study_command(options); }; });
+}
+
 /// CLI11 would only say that a subcommand is missing.
 void check_command_name(const CLI::App& program, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return;
@@ -158,6 +176,9 @@ int run_program(int argc, char** argv) {
     add_scene(*check, check_options);
     check->add_option("--png", check_png, "also draws the bodies to this PNG file");
     check->callback([&] { action = [&] { return check_command(check_options, check_png); }; });
+
+    StudyOptions study_options;
+    add_study(program, study_options, action);
 
     SceneOptions particles_options;
     ParticlesOptions preview;

@@ -182,7 +182,8 @@ TEST_F(Results, TimingHasTheKeysOfTheContract) {
     EXPECT_THAT(keys,
                 testing::UnorderedElementsAre("wall_seconds", "cpu_seconds", "solver_seconds", "output_seconds",
                                               "tasks", "steps", "particles", "nodes", "threads", "peak_memory_bytes",
-                                              "ns_per_particle_step", "step_reductions", "abandoned_steps"));
+                                              "ns_per_particle_step", "step_reductions", "abandoned_steps",
+                                              "solver_cpu_seconds", "particle_updates", "node_updates"));
     EXPECT_EQ(std::to_string(timing["steps"].get<long>()), table(read("history.csv")).back()[0]);
     double tasks = 0;
     for (const auto& [task, seconds] : timing["tasks"].items()) tasks += seconds.get<double>();
