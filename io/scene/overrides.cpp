@@ -139,6 +139,8 @@ std::optional<std::string> enter(Walk& walk, const std::string& token, bool last
 } // namespace
 
 std::optional<std::string> apply_setting(Json& scene, const std::string& pointer, const Json& value) {
+    if (!pointer.starts_with('/'))
+        return fmt::format("\"{}\" is no JSON pointer; write for example /method/transfer/order", pointer);
     const std::vector<std::string> tokens = tokens_of(pointer);
     Json changed = scene;
     Walk walk{&changed, &scene_specification()};

@@ -37,10 +37,9 @@ void read_values(const Json& json, const std::string& where, Axis& axis, std::ve
         return;
     }
     const Json& values = json["values"];
-    for (std::size_t i = 0; i < values.size(); ++i)
-        axis.levels.push_back({name_of_value(values[i]),
-                               {{pointer->get<std::string>(), values[i].dump(), fmt::format("{}/values/{}", where, i)}},
-                               {}});
+    for (const Json& value : values)
+        axis.levels.push_back(
+            {name_of_value(value), {{pointer->get<std::string>(), value.dump(), where + "/pointer"}}, {}});
     if (std::all_of(values.begin(), values.end(), is_number))
         axis.size = Setting{pointer->get<std::string>(), "", where + "/pointer"};
 }
@@ -63,7 +62,9 @@ Axis read_axis(const std::string& name, const Json& json, std::vector<Problem>& 
     if (json.contains("variants")) read_variants(json, where, axis);
     if (json.contains("threads")) {
         axis.threads = true;
-        for (const Json& count : json["threads"]) axis.levels.push_back({count.dump(), {}, count.get<int>()});
+        for (const Json& count : json["threads"])
+            if (count.is_number()) // else the check has told
+                axis.levels.push_back({count.dump(), {}, count.get<int>()});
     }
     if (const Json* size = find(json, "size")) {
         if (axis.threads) problems.push_back({where + "/size", "threads are their own size; leave this out"});

@@ -161,7 +161,8 @@ void read_metrics(const Json& document, Study& study, std::vector<Problem>& prob
             problems.push_back({metric.where + "/of", fmt::format("\"{}\" is of this type itself", metric.of)});
     }
     for (const auto& [name, tolerance] : part(document, "tolerances").items())
-        if (Metric* metric = find_metric(study, name, "/tolerances/" + pointer_token(name), problems))
+        if (Metric* metric = find_metric(study, name, "/tolerances/" + pointer_token(name), problems);
+            metric && tolerance.is_number()) // else the check has told
             metric->tolerance = tolerance.get<double>();
 }
 

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -87,7 +88,9 @@ void check_pointers(const Study& study, std::vector<Problem>& problems) {
     const auto apply = [&](Json& scene, const std::vector<Setting>& settings, bool tell) {
         for (const Setting& setting : settings) {
             const auto message = apply_setting(scene, setting.pointer, Json::parse(setting.value));
-            if (message && tell) problems.push_back({setting.where, *message});
+            const auto same = [&](const Problem& p) { return p.pointer == setting.where && p.message == *message; };
+            if (message && tell && std::none_of(problems.begin(), problems.end(), same))
+                problems.push_back({setting.where, *message});
         }
     };
     Json common = *base.value;

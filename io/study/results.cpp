@@ -182,6 +182,7 @@ std::string cost_text(const Cost& cost) {
                        {"steps", cost.steps},
                        {"particles", cost.particles},
                        {"particle_updates", cost.particle_updates},
+                       {"particle_sweeps", cost.particle_sweeps},
                        {"node_updates", cost.node_updates},
                        {"instructions", to_json(cost.instructions)},
                        {"peak_memory_bytes", cost.peak_memory_bytes},
@@ -201,6 +202,7 @@ Cost cost_of(const std::string& text) {
     cost.steps = json.at("steps");
     cost.particles = json.at("particles");
     cost.particle_updates = json.at("particle_updates");
+    cost.particle_sweeps = json.at("particle_sweeps");
     cost.node_updates = json.at("node_updates");
     if (const Json* count = find(json, "instructions")) cost.instructions = optional_of<long long>(*count);
     cost.peak_memory_bytes = json.at("peak_memory_bytes");

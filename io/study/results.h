@@ -40,6 +40,7 @@ struct Cost {
     long steps = 0;
     long particles = 0;
     long long particle_updates = 0;        ///< particles advanced by a step, over all steps
+    long long particle_sweeps = 0;         ///< visits of particles by sweeps to the grid or back, over all steps
     long long node_updates = 0;            ///< slots (a body at a node) that steps had, over all steps
     std::optional<long long> instructions; ///< of stepping, where the system lets them be counted
     long long peak_memory_bytes = 0;

@@ -22,6 +22,7 @@ const std::vector<std::string> last_columns{"solver_seconds",
                                             "steps",
                                             "particles",
                                             "particle_updates",
+                                            "particle_sweeps",
                                             "node_updates",
                                             "instructions",
                                             "peak_memory_bytes",
@@ -52,13 +53,14 @@ void add_costs(Row& row, const VariantResult& variant) {
         row.emplace_back(any ? time : nothing);
     row.emplace_back(static_cast<std::int64_t>(variant.costs.size()));
     if (!any) {
-        for (int i = 0; i < 7; ++i) row.emplace_back(nothing);
+        for (int i = 0; i < 8; ++i) row.emplace_back(nothing);
         return;
     }
     // These are the same in all repeats but for memory, of which the most counts.
     const Cost& cost = variant.costs.front();
-    for (const std::int64_t count : {std::int64_t{cost.threads}, std::int64_t{cost.steps}, std::int64_t{cost.particles},
-                                     std::int64_t{cost.particle_updates}, std::int64_t{cost.node_updates}})
+    for (const std::int64_t count :
+         {std::int64_t{cost.threads}, std::int64_t{cost.steps}, std::int64_t{cost.particles},
+          std::int64_t{cost.particle_updates}, std::int64_t{cost.particle_sweeps}, std::int64_t{cost.node_updates}})
         row.emplace_back(count);
     std::vector<double> instructions;
     long long memory = 0;

@@ -12,6 +12,7 @@
 #include "io/scene/read_scene.h"
 #include "io/scene/units.h"
 #include "scene/input_files.h"
+#include "step/sweeps.h"
 #include "step/watch.h"
 
 #include <fmt/format.h>
@@ -238,6 +239,7 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
             state.wants_areas = state.effects.pairs && (history.is_due(after) || after >= end);
             advance(state, tasks);
             timing.node_updates += static_cast<long long>(state.fields.size());
+            timing.particle_sweeps += sweeps_of_step(state) * static_cast<long long>(state.particles.size());
             timing.solver_seconds += seconds_since(step_start);
             progress.update(state.step, state.time);
             history_written = history.due(state.time);

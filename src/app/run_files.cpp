@@ -234,6 +234,7 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
         {"threads", timing.threads},
         {"peak_memory_bytes", peak_memory()},
         {"particle_updates", particle_steps},
+        {"particle_sweeps", timing.particle_sweeps},
         {"node_updates", timing.node_updates},
         {"ns_per_particle_step",
          particle_steps > 0 ? timing.solver_seconds * 1e9 / static_cast<double>(particle_steps) : 0.0}};

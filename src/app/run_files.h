@@ -89,6 +89,7 @@ struct RunTiming {
     long first_step = 0;                   ///< of the run that this one goes on with
     long abandoned_steps = 0;              ///< given up after trouble
     long long node_updates = 0;            ///< slots of all steps
+    long long particle_sweeps = 0;         ///< sweeps_of_step() of all particles and steps
     std::optional<long long> instructions; ///< of stepping
     std::string trouble;                   ///< what ended the run; empty: nothing
     int threads = 1;

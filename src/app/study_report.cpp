@@ -57,16 +57,23 @@ namespace {
 
 /// Why times must not be compared.
 std::vector<std::string> timing_warnings(const std::vector<VariantResult>& variants) {
-    std::size_t shared = 0;
+    // Of one thread, wall time beyond CPU time is time that other programs took; short runs may lose a little.
+    constexpr double usual = 1.1, unnoticed = 0.02;
+    std::size_t shared = 0, waited = 0;
     std::set<std::string> machines;
     for (const VariantResult& variant : variants)
         for (const Cost& cost : variant.costs) {
             shared += cost.alone ? 0 : 1;
+            waited += cost.threads == 1 && cost.solver_seconds > usual * cost.solver_cpu_seconds + unnoticed ? 1 : 0;
             machines.insert(cost.machine);
         }
     std::vector<std::string> warnings;
     if (shared > 0)
         warnings.push_back(fmt::format("{} runs shared the machine with others of the study (--jobs)", shared));
+    if (waited > 0)
+        warnings.push_back(fmt::format("{} runs had to wait for a processor that other programs used; compare "
+                                       "solver_cpu_seconds",
+                                       waited));
     if (machines.size() > 1) {
         std::string list;
         for (const std::string& machine : machines) list += (list.empty() ? "" : "; ") + machine;

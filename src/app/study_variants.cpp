@@ -8,6 +8,7 @@
 #include "step/check_state.h"
 #include "step/run_error.h"
 #include "step/step.h"
+#include "step/sweeps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ VariantModel examine(const Scene& scene, const Model& model) {
     } catch (const RunError&) { // a fixed step above the stable one; the run will say so
         result.steps = 1;
     }
-    result.work = static_cast<double>(result.particles) * result.steps * (2 + state.effects.extra_orders);
+    result.work = static_cast<double>(result.particles) * result.steps * sweeps_of_step(state);
     return result;
 }
 

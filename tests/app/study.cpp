@@ -19,28 +19,19 @@ Json small_study() {
       "title": "A disk hits a block",
       "end": "0.1 ms",
       "axes": {
-        "transfer": { "variants": { "FLIP": { "/method/transfer": { "scheme": "flip" } }, "XPIC(2)": {}
-}
-}
-, "CFL" : {
-    "pointer" : "/time/cfl", "values" : [ 0.4, 0.2 ]
-}
-}
-, "metrics" : {
-    "loss" : {"type" : "energy-loss"},
-             "balance" : {"type" : "balance-error"},
-                         "momentum" : {"type" : "momentum-error"},
-                                      "overlap" : {"type" : "interpenetration"},
-                                                  "force" : {"value" : "ball.block.force_y", "reduce" : "max"},
-                                                            "drop"
-        : {"value" : "ball.y", "reference" : {"CFL" : 0.2, "transfer" : "XPIC(2)"}, "reduce" : "rms"},
-          "speed" : {
-        "type" : "particles", "value" : [ "velocity_x", "velocity_y" ], "bodies" : ["ball"]
-    }
-}
-})");
+        "transfer": { "variants": { "FLIP": { "/method/transfer": { "scheme": "flip" } }, "XPIC 2": {} } },
+        "CFL": { "pointer": "/time/cfl", "values": [0.4, 0.2] }
+      },
+      "metrics": { "loss": { "type": "energy-loss" },
+                   "balance": { "type": "balance-error" },
+                   "momentum": { "type": "momentum-error" },
+                   "overlap": { "type": "interpenetration" },
+                   "force": { "value": "ball.block.force_y", "reduce": "max" },
+                   "drop": { "value": "ball.y", "reference": { "CFL": 0.2, "transfer": "XPIC 2" }, "reduce": "rms" },
+                   "speed": { "type": "particles", "value": ["velocity_x", "velocity_y"], "bodies": ["ball"] } }
+    })");
     study["base"] = small_scene();
-return study;
+    return study;
 }
 
 Json small_study(const std::string& patch) {
@@ -72,7 +63,7 @@ TEST(Study, RunsAFamilyAndTabulatesIt) {
     const CsvFile table = read_csv(folder / "s/study.csv", {"variant", "status", "transfer", "CFL", "cause"});
     ASSERT_EQ(table.rows, 4U);
     EXPECT_EQ(table.find("variant")->words,
-              (std::vector<std::string>{"FLIP, CFL 0.4", "FLIP, CFL 0.2", "XPIC(2), CFL 0.4", "XPIC(2), CFL 0.2"}));
+              (std::vector<std::string>{"FLIP, CFL 0.4", "FLIP, CFL 0.2", "XPIC 2, CFL 0.4", "XPIC 2, CFL 0.2"}));
     for (std::size_t v = 0; v < 4; ++v) {
         const auto number = [&](const char* column) { return table.find(column)->numbers[v]; };
         EXPECT_EQ(table.find("status")->words[v], "done");
@@ -85,6 +76,7 @@ TEST(Study, RunsAFamilyAndTabulatesIt) {
         EXPECT_EQ(std::isnan(number("drop")), v == 3) << "the reference itself has no error";
         EXPECT_EQ(number("repeats"), 2);
         EXPECT_EQ(number("particle_updates"), number("particles") * number("steps"));
+        EXPECT_EQ(number("particle_sweeps"), number("particle_updates") * (v < 2 ? 2 : 3)); // FLIP, XPIC 2
         EXPECT_GT(number("node_updates"), number("steps"));
         EXPECT_LE(number("solver_seconds"), number("wall_seconds"));
         EXPECT_LE(number("solver_seconds_low"), number("solver_seconds"));
@@ -94,7 +86,7 @@ TEST(Study, RunsAFamilyAndTabulatesIt) {
     }
     EXPECT_GT(table.find("steps")->numbers[1], 1.9 * table.find("steps")->numbers[0]);
     const Json study = Json::parse(folder.read("s/study.json"));
-    EXPECT_EQ(study["timing_warnings"].size(), 0U);
+    EXPECT_THAT(study["timing_warnings"].dump(), Not(HasSubstr("--jobs")));
     for (const Json& variant : study["variants"]) EXPECT_TRUE(variant["repeats_agree"].get<bool>());
     // The measures are those of the results that lie there.
     const Json& first = study["variants"][0];
@@ -227,7 +219,7 @@ TEST(Study, RefusesBadInputBeforeAnythingRuns) {
         EXPECT_FALSE(std::filesystem::exists(folder / "s")) << message;
     };
     refused(small_study(R"({"axes": {"CFL": {"pointer": "/time/cfk"}}})"),
-            "study.json: /axes/CFL/values/0: \"/time\" has no key \"cfk\"; did you mean \"cfl\"?");
+            "study.json: /axes/CFL/pointer: the scene format has no key \"/time/cfk\"; did you mean \"/time/cfl\"?");
     refused(small_study(R"({"metrics": {"loss": "total_enrgy"}})"),
             "study.json: /metrics/loss/value: \"total_enrgy\", character 1: unknown name \"total_enrgy\"; did you mean "
             "\"total_energy\"?");
@@ -254,7 +246,7 @@ TEST(Study, ListsWhatItWouldRun) {
     folder.write("study.json", small_study().dump());
     const Outcome outcome = folder.abut({"study", "study.json", "--list"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("XPIC(2), CFL 0.2"));
+    EXPECT_THAT(outcome.out, HasSubstr("XPIC 2, CFL 0.2"));
     EXPECT_THAT(outcome.out, HasSubstr("4 variants, 1 repeats each"));
     EXPECT_FALSE(std::filesystem::exists(folder / "study-results"));
 }

@@ -18,7 +18,7 @@ TEST(StudyRead, ReadsAll) {
     ASSERT_EQ(study.axes[0].levels.size(), 3U);
     EXPECT_EQ(study.axes[0].levels[2].name, "0.5 mm");
     EXPECT_FALSE(study.axes[1].size);
-    EXPECT_EQ(study.axes[1].levels[1].name, "FMPM(4)");
+    EXPECT_EQ(study.axes[1].levels[1].name, "FMPM 4");
     EXPECT_EQ(study.axes[1].levels[1].settings[0].pointer, "/method/transfer/order");
     EXPECT_EQ(study.axes[2].levels[0].name, "0.4");
     ASSERT_EQ(study.metrics.size(), 2U);
@@ -53,14 +53,14 @@ TEST(StudyRead, SaysWhatIsWrong) {
         {R"({"axes": {"cell": {"values": []}}})", "/axes/cell/values", "at least 1"},
         {R"({"axes": {"cell": {"values": ["1 mm", "1 mm"]}}})", "/axes/cell", "is there twice"},
         {R"({"axes": {"cell": {"pointer": null}}})", "/axes/cell", "\"pointer\", which is missing"},
-        {R"({"axes": {"cell": {"pointer": "/grid/cel"}}})", "/axes/cell/values/0", "did you mean \"cell\""},
-        {R"({"axes": {"cell": {"pointer": "grid"}}})", "/axes/cell/values/0", ""},
+        {R"({"axes": {"cell": {"pointer": "/grid/cel"}}})", "/axes/cell/pointer", "did you mean \"/grid/cell\""},
+        {R"({"axes": {"cell": {"pointer": "grid"}}})", "/axes/cell/pointer", "no JSON pointer"},
         {R"({"axes": {"cell": {"threads": [1]}}})", "/axes/cell", "exactly one of"},
         {R"({"axes": {"cell": {"center": "3 mm"}}})", "/axes/cell/center", "no level \"3 mm\""},
         {R"({"axes": {"transfer": {"variants": {"FLIP": {"/method/transfr": 1}}}}})",
-         "/axes/transfer/variants/FLIP/~1method~1transfr", "did you mean \"transfer\""},
+         "/axes/transfer/variants/FLIP/~1method~1transfr", "did you mean \"/method/transfer\""},
         {R"({"axes": {"transfer": {"size": "/method/nothing"}}})", "/axes/transfer/size", "has no \"/method/nothing\""},
-        {R"({"set": {"/time/edn": 1}})", "/set/~1time~1edn", "did you mean \"end\""},
+        {R"({"set": {"/time/edn": 1}})", "/set/~1time~1edn", "did you mean \"/time/end\""},
         {R"({"end": "3 mm"})", "/end", "a time"},
         {R"({"combine": "produkt"})", "/combine", "did you mean \"product\""},
         {R"({"combine": []})", "/combine", "no variants"},
@@ -90,6 +90,14 @@ TEST(StudyRead, SaysWhatIsWrong) {
         {R"({"parameters": {"a b": 1}})", "/parameters/a b", "write a_b"},
         {R"({"parameters": {"h": "/grid/cll"}})", "/parameters/h", "did you mean \"cell\""},
         {R"({"parameters": {"twice": "2*hh"}})", "/parameters/twice", "unknown name \"hh\""},
+        {R"({"axes": {"cell": {"pointer": null, "values": null, "center": null, "threads": [1, 0.5]}}})",
+         "/axes/cell/threads/1", "whole number"},
+        {R"({"metrics": {"loss": {"type": 3}}})", "/metrics/loss/type", "is needed"},
+        {R"({"axes": {"cell": 3}})", "/axes/cell", "an object"},
+        {R"({"axes": {"cell": {"pointer": 3}}})", "/axes/cell/pointer", "a text"},
+        {R"({"metrics": {"height": {"value": [3, {}]}}})", "/metrics/height/value", "an expression as a text"},
+        {R"({"except": [3]})", "/except/0", "an object"},
+        {R"({"combine": [3]})", "/combine/0", "an object"},
         {R"({"repeats": 0})", "/repeats", "between 1 and 1000"},
         {R"({"repaets": 3})", "/repaets", "did you mean \"repeats\""},
         {R"({"time_limit": "3 m"})", "/time_limit", "a time"},

@@ -29,6 +29,7 @@ StudyResults some_results() {
     cost.steps = 70;
     cost.particles = 12;
     cost.particle_updates = 840;
+    cost.particle_sweeps = 2520;
     cost.node_updates = 5'000'000'000;
     cost.instructions = 77;
     cost.peak_memory_bytes = 1 << 20;

@@ -65,24 +65,17 @@ inline Json study_json() {
       "axes": {
         "cell": { "pointer": "/grid/cell", "values": ["2 mm", "1 mm", "0.5 mm"], "center": "1 mm" },
         "transfer": { "variants": { "FLIP": { "/method/transfer": { "scheme": "flip" } },
-                                    "FMPM(4)": {
-        "/method/transfer/order" : 4 }
-}
-}
-, "cfl" : {
-    "pointer" : "/time/cfl", "values" : [ 0.4, 0.2 ]
-}
-}
-, "metrics" : {
-    "loss" : {"type" : "energy-loss"},
-    "height" : {"value" : "block.y", "exact" : "first_block.y - v*t - g*t^2/2", "reduce" : "rms"}
-},
-              "parameters" : {"v" : "1 m/s", "g" : 9.81, "h" : "/grid/cell", "twice" : "2*h"},
-                             "tolerances" : {"loss" : 0.01},
-                                            "repeats" : 2
-})");
+                                    "FMPM 4": { "/method/transfer/order": 4 } } },
+        "cfl": { "pointer": "/time/cfl", "values": [0.4, 0.2] }
+      },
+      "metrics": { "loss": { "type": "energy-loss" },
+                   "height": { "value": "block.y", "exact": "first_block.y - v*t - g*t^2/2", "reduce": "rms" } },
+      "parameters": { "v": "1 m/s", "g": 9.81, "h": "/grid/cell", "twice": "2*h" },
+      "tolerances": { "loss": 0.01 },
+      "repeats": 2
+    })");
     study["base"] = Json::parse(block);
-return study;
+    return study;
 }
 
 /// study_json() with an RFC 7396 merge patch.
