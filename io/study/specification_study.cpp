@@ -123,7 +123,7 @@ std::vector<Key> metrics() {
          .kind = Kind::word,
          .words = texts(metric_words),
          .otherwise = quoted("history"),
-         .meaning = "What kind of measure it is; see below."},
+         .meaning = "What kind of measure it is; README.md explains them."},
         {.path = "/metrics/*/value",
          .kind = Kind::any,
          .required = true,
@@ -247,7 +247,8 @@ const SpecificationNode& study_specification() {
 }
 
 std::string study_reference() {
-    return key_tables(study_specification(), "The study");
+    return "# The study file: all keys\n\nMade by `abut reference --study`; see README.md for what they are for.\n\n" +
+           key_tables(study_specification(), "The study");
 }
 
 } // namespace abut

@@ -113,6 +113,7 @@ int plot_command(const std::filesystem::path& results, const PlotOptions& option
 int contact_command(const ContactOptions& options);
 int pack_command(const PackOptions& options);
 int schema_command();
-int reference_command();
+/// \param study of study files, not of scenes
+int reference_command(bool study);
 
 } // namespace abut

@@ -245,9 +245,10 @@ int run_program(int argc, char** argv) {
     program.add_subcommand("schema", "Prints the JSON Schema of scene files")->callback([&] {
         action = schema_command;
     });
-    program.add_subcommand("reference", "Prints the reference of scene files as Markdown")->callback([&] {
-        action = reference_command;
-    });
+    bool of_study = false;
+    CLI::App* reference = program.add_subcommand("reference", "Prints the reference of scene files as Markdown");
+    reference->add_flag("--study", of_study, "the keys of study files instead");
+    reference->callback([&] { action = [&] { return reference_command(of_study); }; });
 
     check_command_name(program, argc, argv);
     try {

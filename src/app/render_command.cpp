@@ -2,6 +2,7 @@
 #include "io/results/bar.h"
 #include "io/scene/read_scene.h"
 #include "io/scene/units.h"
+#include "io/study/specification_study.h"
 
 #include <fmt/format.h>
 
@@ -70,8 +71,8 @@ int schema_command() {
     return 0;
 }
 
-int reference_command() {
-    fmt::print("{}", scene_reference());
+int reference_command(bool study) {
+    fmt::print("{}", study ? study_reference() : scene_reference());
     return 0;
 }
 

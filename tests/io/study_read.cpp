@@ -1,6 +1,8 @@
 /// Study files: what is read, and what is said of bad ones.
 #include "study_support.h"
 
+#include "io/study/specification_study.h"
+
 namespace abut::study_test {
 namespace {
 
@@ -110,6 +112,13 @@ TEST(StudyRead, SaysWhatIsWrong) {
     }
     EXPECT_EQ(complaint(study_json().dump()), "");
     EXPECT_THAT(complaint("{ \"base\": "), HasSubstr("study.json"));
+}
+
+TEST(StudyRead, TheReferenceIsUpToDate) {
+    std::ifstream file(ABUT_SOURCE_DIR "/io/study/REFERENCE.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(text, study_reference()) << "run: abut reference --study > io/study/REFERENCE.md";
+    for (const char* type : {"history", "symmetry-error"}) EXPECT_THAT(text, HasSubstr(type));
 }
 
 TEST(StudyRead, TellsProblemsOfTheSceneOnce) {
