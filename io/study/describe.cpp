@@ -57,6 +57,8 @@ std::string describe(const Study& study, const Metric& metric) {
         if (!metric.exact.empty()) text += " against " + joined(metric.exact);
         if (!metric.reference.empty()) text += " against the run with " + describe_reference(study, metric);
         if (!metric.results.empty()) text += " against " + metric.results.string();
+        if (metric.frames != Reduction::end)
+            text += fmt::format(", {} over the frames", text_of(reduction_words, metric.frames));
         return text + describe_when(metric) + describe_divisor(metric);
     }
     case MetricType::convergence:

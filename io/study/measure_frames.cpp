@@ -12,21 +12,6 @@ namespace abut {
 
 namespace {
 
-/// A measure of single frames, over those that a metric asks for.
-template <class Measure>
-double over_frames(const Metric& metric, MeasuredRun& run, const std::vector<std::string>& arrays, Measure measure) {
-    const PvdSeries series = particle_series(run.folder);
-    const auto at = [&](const PvdEntry& entry) { return measure(read_frame(series, entry, arrays)); };
-    if (metric.at || metric.reduce == Reduction::end) return at(frame_at(series, metric.at));
-    std::vector<double> times, values;
-    for (const PvdEntry& entry : series.entries) {
-        times.push_back(entry.time);
-        values.push_back(at(entry));
-    }
-    if (values.empty()) throw NoValue("there is no frame of particles");
-    return reduce_in_time(metric, times, values);
-}
-
 using Place = std::array<double, 3>;
 
 /// Finds points by their places, which may be off by a small part of their distance.
@@ -94,7 +79,7 @@ double asymmetry(const Metric& metric, const PointFrame& frame, double cell) {
 double measure_interpenetration(const Metric& metric, MeasuredRun& run) {
     if (run.columns.dimension == 3) throw NoValue("it isn't measured in 3D");
     if (!run.columns.contact) throw NoValue("the scene has no contact");
-    return over_frames(metric, run, {"body"}, [](const PointFrame& frame) {
+    return over_frames(run.folder, metric.reduce, metric.at, {"body"}, [](const PointFrame& frame) -> double {
         for (const Array& global : frame.globals)
             if (global.name == "interpenetration") return component_of(global, 0).at(0);
         throw NoValue("its frames don't tell it");
@@ -106,7 +91,7 @@ double measure_symmetry(const Metric& metric, MeasuredRun& run) {
     double cell = scene.grid.cell[0];
     for (int a = 1; a < dimension(scene.analysis); ++a)
         cell = std::min(cell, scene.grid.cell[static_cast<std::size_t>(a)]);
-    const double value = over_frames(metric, run, {"displacement", "body"},
+    const double value = over_frames(run.folder, metric.reduce, metric.at, {"displacement", "body"},
                                      [&](const PointFrame& frame) { return asymmetry(metric, frame, cell); });
     return value / scale_of(metric, run);
 }

@@ -78,20 +78,15 @@ std::vector<std::string> arrays_of(const Metric& metric, const std::vector<Parti
     return arrays;
 }
 
-} // namespace
-
-double measure_particles(const Metric& metric, MeasuredRun& run) {
-    const PvdSeries series = particle_series(run.folder);
-    const std::vector<ParticleVariable> variables =
-        particle_variables(run.columns.temperature, run.columns.orientation);
-    const std::vector<Constant>& parameters = run.variant.parameters;
-    const PointFrame frame = read_frame(series, frame_at(series, metric.at), arrays_of(metric, variables, parameters));
+/// The measure of one frame, before it is divided by the metric's scale.
+double measure_frame(const Metric& metric, const MeasuredRun& run, const std::vector<ParticleVariable>& variables,
+                     const PointFrame& frame) {
     const std::vector<std::size_t> chosen = particles_of(frame, metric.bodies);
     if (chosen.empty()) throw NoValue("there are no particles");
 
     Numbers numbers(frame);
     const auto evaluate = [&](const std::string& text) {
-        return at_particles(text, variables, parameters, chosen, numbers);
+        return at_particles(text, variables, run.variant.parameters, chosen, numbers);
     };
     std::vector<double> values(chosen.size()), targets(chosen.size());
     const bool plain = metric.exact.empty() && metric.value.size() == 1;
@@ -116,10 +111,21 @@ double measure_particles(const Metric& metric, MeasuredRun& run) {
         for (std::size_t i = 0; i < chosen.size(); ++i) weights[i] = all[chosen[i]];
     }
     const double value = reduce_weighted(metric.reduce, values, weights);
-    if (!metric.relative) return value / scale_of(metric, run);
+    if (!metric.relative) return value;
     const double whole = reduce_weighted(metric.reduce, targets, weights);
     if (!(whole > 0)) throw NoValue("what it should be is 0: there is no relative error");
     return value / whole;
+}
+
+} // namespace
+
+double measure_particles(const Metric& metric, MeasuredRun& run) {
+    const std::vector<ParticleVariable> variables =
+        particle_variables(run.columns.temperature, run.columns.orientation);
+    const double value =
+        over_frames(run.folder, metric.frames, metric.at, arrays_of(metric, variables, run.variant.parameters),
+                    [&](const PointFrame& frame) { return measure_frame(metric, run, variables, frame); });
+    return value / scale_of(metric, run);
 }
 
 std::vector<Problem> check_particles(const Metric& metric, const std::vector<Constant>& parameters,

@@ -11,7 +11,7 @@ namespace {
 bool wants_all_frames(const Metric& metric) {
     switch (metric.type) {
     case MetricType::particles:
-        return metric.at.has_value();
+        return metric.at.has_value() || metric.frames != Reduction::end;
     case MetricType::interpenetration:
     case MetricType::symmetry_error:
         return metric.at.has_value() || metric.reduce != Reduction::end;

@@ -48,6 +48,22 @@ PointFrame read_frame(const PvdSeries& series, const PvdEntry& entry, const std:
     return read_points(series.path.parent_path() / entry.file, wanted);
 }
 
+double over_frames(const std::filesystem::path& folder, Reduction reduction, std::optional<double> at,
+                   const std::vector<std::string>& wanted, const std::function<double(const PointFrame&)>& measure) {
+    const PvdSeries series = particle_series(folder);
+    const auto value_at = [&](const PvdEntry& entry) { return measure(read_frame(series, entry, wanted)); };
+    if (at || reduction == Reduction::end) return value_at(frame_at(series, at));
+    std::vector<double> times, values;
+    for (const PvdEntry& entry : series.entries) {
+        times.push_back(entry.time);
+        values.push_back(value_at(entry));
+    }
+    if (values.empty()) throw NoValue("there is no frame of particles");
+    Metric all;
+    all.reduce = reduction;
+    return reduce_in_time(all, times, values);
+}
+
 const Array& array_of(const PointFrame& frame, const std::string& name) {
     for (const Array& array : frame.arrays)
         if (array.name == name) return array;

@@ -1,8 +1,10 @@
 #pragma once
 #include "io/results/pvd.h"
+#include "io/study/study.h"
 #include "results/frame.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +19,10 @@ const PvdEntry& frame_at(const PvdSeries& series, std::optional<double> time);
 
 /// Reads a frame of a series.
 PointFrame read_frame(const PvdSeries& series, const PvdEntry& entry, const std::vector<std::string>& wanted);
+
+/// A measure of single frames, made of all of them as `reduction` says, or that of the last or the one nearest to `at`.
+double over_frames(const std::filesystem::path& folder, Reduction reduction, std::optional<double> at,
+                   const std::vector<std::string>& wanted, const std::function<double(const PointFrame&)>& measure);
 
 /// The array of that name; throws std::runtime_error if the frame has none.
 const Array& array_of(const PointFrame& frame, const std::string& name);

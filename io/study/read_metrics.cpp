@@ -67,6 +67,8 @@ void check_meaning(const Metric& metric, std::vector<Problem>& problems) {
     const bool rows = !particles && metric.type != MetricType::energy_loss;
     if (metric.at && rows && metric.reduce != Reduction::end)
         problems.push_back({metric.where + "/at", "is one time; \"reduce\" asks for all of them"});
+    if (metric.at && metric.frames != Reduction::end)
+        problems.push_back({metric.where + "/at", "is one time; \"frames\" asks for all of them"});
     if (!metric.exact.empty() && metric.exact.size() != metric.value.size())
         problems.push_back({metric.where + "/exact", fmt::format("{} expressions for {} of \"value\"",
                                                                  metric.exact.size(), metric.value.size())});
@@ -86,6 +88,7 @@ Metric read_metric(const std::string& name, const Json& json, const Study& study
     copy_word(json, "type", metric_words, metric.type);
     metric.reduce = usual_reduction(metric.type);
     copy_word(json, "reduce", reduction_words, metric.reduce);
+    copy_word(json, "frames", reduction_words, metric.frames);
     copy_word(json, "weight", weight_words, metric.weight);
     copy_word(json, "mirror", axis_words, metric.mirror);
     copy(json, "at", metric.at);

@@ -150,6 +150,12 @@ std::vector<Key> metrics() {
              only_of({"history", "particles", "balance-error", "interpenetration", "momentum-error", "symmetry-error"}),
          .meaning = "Over all rows (frames, particles): `end`, the last; `max`, the largest magnitude; `rms`; `mean`. "
                     "Not given: `end` for `history`, `rms` for `particles`, else `max`."},
+        {.path = "/metrics/*/frames",
+         .kind = Kind::word,
+         .words = texts(reduction_words),
+         .otherwise = quoted("end"),
+         .only_with = only_of({"particles"}),
+         .meaning = "Over the frames of particles, after `reduce` over the particles of each."},
         {.path = "/metrics/*/at",
          .kind = Kind::quantity,
          .dimension = dimensions::time,

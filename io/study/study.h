@@ -79,8 +79,9 @@ struct Metric {
     std::string where; ///< pointer into the study file, for messages
     MetricType type = MetricType::history;
     Reduction reduce = Reduction::end;
-    std::optional<double> at;       ///< time [s]; none: the end
-    std::optional<double> from, to; ///< rows or frames that count [s]
+    Reduction frames = Reduction::end; ///< particles: over the frames, each reduced by `reduce`
+    std::optional<double> at;          ///< time [s]; none: the end
+    std::optional<double> from, to;    ///< rows or frames that count [s]
 
     std::vector<std::string> value;        ///< expressions; several are components of a vector
     std::vector<std::string> exact;        ///< as many; none: no closed form

@@ -206,7 +206,9 @@ TEST(StudyMeasures, ParticlesAgainstAField) {
                    "off": {"type": "particles", "value": "velocity_x", "exact": "4*x*t", "reduce": "max"},
                    "vector": {"type": "particles", "value": ["velocity_x", "velocity_y"], "exact": ["2*X", "0.1 - Y/h"],
                               "relative": true},
-                   "mass": {"type": "particles", "value": "velocity_x", "reduce": "mean", "weight": "mass"}})");
+                   "mass": {"type": "particles", "value": "velocity_x", "reduce": "mean", "weight": "mass"},
+                   "all": {"type": "particles", "value": "t", "reduce": "mean", "frames": "max"},
+                   "high": {"type": "particles", "value": "velocity_x", "reduce": "mean", "bodies": ["high"]}})");
     write_tables(m.run(0), rows());
     write_frames(m.run(0), {1e-4, 0, 0, 0, 0, 0, 0, 2e-4});
     m.measure();
@@ -216,6 +218,8 @@ TEST(StudyMeasures, ParticlesAgainstAField) {
     const double wholes = 2 * (1e-6 + 9e-6) + 2 * 0.15 * 0.15 + 2 * 0.65 * 0.65;
     EXPECT_NEAR(m.value(0, 2), std::sqrt(errors / wholes), 1e-12);
     EXPECT_NEAR(m.value(0, 3), (4 * 1e-3 + 6 * 3e-3) / 10, 1e-15);
+    EXPECT_EQ(m.value(0, 4), 0.5);
+    EXPECT_NEAR(m.value(0, 5), 2e-3, 1e-15);
 }
 
 TEST(StudyMeasures, Symmetry) {

@@ -100,6 +100,8 @@ TEST(StudyRead, SaysWhatIsWrong) {
         {R"({"metrics": {"height": {"value": [3, {}]}}})", "/metrics/height/value", "an expression as a text"},
         {R"({"except": [3]})", "/except/0", "an object"},
         {R"({"combine": [3]})", "/combine/0", "an object"},
+        {R"({"metrics": {"p": {"type": "particles", "value": "x", "frames": "max", "at": 0}}})", "/metrics/p/at",
+         "one time"},
         {R"({"repeats": 0})", "/repeats", "between 1 and 1000"},
         {R"({"repaets": 3})", "/repaets", "did you mean \"repeats\""},
         {R"({"time_limit": "3 m"})", "/time_limit", "a time"},
