@@ -1,7 +1,7 @@
 #include "app/checkpoints.h"
 #include "app/commands.h"
 #include "app/good_states.h"
-#include "app/instruction_counter.h"
+#include "app/meter.h"
 #include "app/run_files.h"
 #include "app/schedule.h"
 #include "app/trouble.h"
@@ -21,7 +21,6 @@
 #include <charconv>
 #include <chrono>
 #include <csignal>
-#include <ctime>
 #include <limits>
 
 namespace abut {
@@ -38,43 +37,6 @@ void on_signal(int signal) {
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
-
-/// Of all threads so far [s].
-double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Adds up what stepping costs, with pauses.
-class Meter {
-public:
-    /// Before any other thread is there: of those that are, instructions are not counted.
-    explicit Meter(bool instructions) {
-        if (instructions) counter_.emplace();
-    }
-    void go_on() {
-        running_ = true;
-        cpu_ = cpu_seconds();
-        if (counter_) instructions_ = counter_->count();
-    }
-    /// \return whether it was going on
-    bool pause(RunTiming& timing) {
-        if (!running_) return false;
-        running_ = false;
-        timing.solver_cpu_seconds += cpu_seconds() - cpu_;
-        if (instructions_)
-            if (const auto now = counter_->count())
-                timing.instructions = timing.instructions.value_or(0) + *now - *instructions_;
-        return true;
-    }
-
-private:
-    std::optional<InstructionCounter> counter_;
-    bool running_ = false;
-    double cpu_ = 0;                        ///< at the last go_on()
-    std::optional<long long> instructions_; ///< likewise
-};
 
 double history_interval(const Scene& scene) {
     if (scene.output.history_every) return *scene.output.history_every;
