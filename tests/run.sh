@@ -117,7 +117,7 @@ fi
 # === Sanitizers
 if [[ $asan$fuzz == *yes* ]]; then configure asan -DABUT_WERROR=ON; fi
 if [[ $asan == yes ]]; then
-    suites=(test_core test_geometry test_io)
+    suites=(test_threads test_core test_geometry test_io)
     build asan "${suites[@]}"
     phase "Tests under the address and undefined-behaviour sanitizers" tests/sanitized.sh "${suites[@]}"
 fi
