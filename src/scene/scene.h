@@ -67,8 +67,8 @@ enum class StressUpdate {
     usavg_plus, ///< usavg with the last half as in usl_plus
 };
 
-/// How pic, xpic and fmpm move particles. (flip has its own second-order rule.) The three rules are the three PIC
-/// methods of the FMPM paper's Eq. (2).
+/// How pic, xpic and fmpm move particles; the three rules are the three PIC methods of the FMPM paper's Eq. (2). flip
+/// has its own second-order rule, or end_velocity.
 enum class PositionUpdate {
     /// X += S v+ Δt: with the same grid velocities that deform the particle when stress is updated last. Positions and
     /// deformation gradients then stay together however far a body is deformed. "MPM PIC" of Eq. (2).
@@ -98,6 +98,16 @@ inline PositionUpdate position_update(const TransferSpec& transfer) {
                                                                               : PositionUpdate::end_velocity);
 }
 
+/// What a step's velocity gradient makes of a particle: F ← dF F.
+enum class DeformationIncrement {
+    exponential, ///< dF = exp(∇v Δt), as published (FMPM paper Table 1, task 5): never turns a particle inside out
+    /// dF = 1 + ∇v Δt, what a body undergoes whose points go straight by v Δt. With PositionUpdate::end_velocity and
+    /// stress updated last, F is the gradient of the particles' own motion, to the last bit in a uniform gradient, so
+    /// that a spinning body neither grows nor shrinks. In a spin by θ a step, exp(∇v Δt) has no stretch though
+    /// particles come to lie √(1 + θ²) times as far out.
+    linear
+};
+
 /// Where velocity conditions on nodes enter the full mass matrix calculation of fmpm (FMPM paper §2.4).
 enum class VelocityConditions {
     combined, ///< before it, so that neighbours feel them, and after it, so that they hold
@@ -109,6 +119,7 @@ struct MethodSpec {
     ShapeKind shape = ShapeKind::cpdi;
     TransferSpec transfer;
     StressUpdate stress_update = StressUpdate::usl;
+    DeformationIncrement deformation_increment = DeformationIncrement::exponential;
     VelocityConditions velocity_conditions = VelocityConditions::combined; ///< of fmpm
 };
 
