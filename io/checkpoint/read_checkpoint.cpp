@@ -3,6 +3,7 @@
 #include "io/checkpoint/hdf5_file.h"
 #include "shape/product.h"
 #include "step/good_state.h"
+#include "step/setback.h"
 #include "step/visit_state.h"
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ using namespace checkpoint;
 
 constexpr std::size_t longest_scene = 1 << 26; // bytes
 constexpr std::int64_t most = std::int64_t{1} << 62;
+constexpr std::int64_t troubles = static_cast<std::int64_t>(Trouble::rigid_left_grid) + 1; // the last kind
 
 // === Values of a file, checked for themselves
 
@@ -102,6 +104,16 @@ void load(const Source<D>& from, const std::string& name, Ledger& ledger) {
 template <int D>
 void load(const Source<D>& from, const std::string& name, EnergyWatch& watch) {
     watch = load_sums<EnergyWatch>(from.file, name);
+}
+
+template <int D>
+void load(const Source<D>& from, const std::string& name, std::optional<Setback>& setback) {
+    setback.reset();
+    if (!from.file.has(name)) return;
+    const auto at = load_rows<double>(from.file, name + "/at", 4);
+    const auto kind = load_numbers(from.file, name + "/trouble", {1}, 0, troubles)[0];
+    const auto returns = load_numbers(from.file, name + "/returns", {1}, 0, most_returns + 1)[0];
+    setback = {static_cast<Trouble>(kind), at[0], {at[1], at[2], at[3]}, static_cast<int>(returns)};
 }
 
 /// Entry i becomes that of particle ids[i] of the model's order.

@@ -48,6 +48,15 @@ void save(Hdf5Writer& file, const std::string& name, const EnergyWatch& watch) {
     file.reals(name, numbers(&watch, 1), {width<EnergyWatch>});
 }
 
+/// Nothing if there was none.
+void save(Hdf5Writer& file, const std::string& name, const std::optional<Setback>& setback) {
+    if (!setback) return;
+    const auto& [trouble, time, place, returns] = *setback;
+    file.reals(name + "/at", std::vector{time, place[0], place[1], place[2]}, {4});
+    save(file, name + "/trouble", static_cast<int>(trouble));
+    save(file, name + "/returns", returns);
+}
+
 /// Without what a particle keeps for good: that is made anew from the scene and put in the order of `id`.
 template <int D>
 void save(Hdf5Writer& file, const std::string& name, const Particles<D>& particles) {

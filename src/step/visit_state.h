@@ -17,6 +17,7 @@ void visit_state(Visit&& visit, States&... states) {
     visit("step", states.step...);
     visit("transfers", states.transfers...);
     visit("step_reductions", states.step_reductions...);
+    visit("setback", states.setback...);
     visit("ledger", states.ledger...);
     visit("energy_watch", states.energy_watch...);
     visit("boundary_impulses", states.boundaries...);

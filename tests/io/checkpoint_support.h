@@ -163,6 +163,7 @@ template <int D>
 State<D> state_after(const Case& c, int steps) {
     State<D> state = make_state<D>(c.scene, c.model);
     state.step_reductions = 2;
+    state.setback = {Trouble::left_grid, 0.5, {1, 2, 3}, 1};
     for (int i = 0; i < 2; ++i) {
         const Totals all = deformable_totals(state, body_totals(state));
         watch_energy(state, all.kinetic_energy + all.strain_energy, all.mass);
@@ -223,6 +224,11 @@ std::map<std::string, std::string> bytes_of(const State<D>& state) {
     add_one("step", state.step);
     add_one("transfers", int{state.transfers});
     add_one("step_reductions", state.step_reductions);
+    if (state.setback) {
+        add("setback", std::vector<int>{static_cast<int>(state.setback->trouble), state.setback->returns});
+        add_one("setback", state.setback->time);
+        add("setback", state.setback->place);
+    }
     return all;
 }
 
