@@ -88,8 +88,8 @@ std::vector<Key> general_keys() {
          .range = above(0),
          .meaning = "Energy that has appeared out of nothing, as a fraction of all that the scene was given: its "
                     "energy at the start and the work of boundaries, gravity and contact; with `fmpm` times its order. "
-                    "Looked at when a row of "
-                    "`history.csv` is written."},
+                    "Looked at with each row of `history.csv`, "
+                    "at least every 50 steps, and at the end of a run."},
 
         {.path = "/method", .kind = Kind::object, .otherwise = "{}", .meaning = "The numerical method."},
         {.path = "/method/shape",
