@@ -10,8 +10,8 @@ usage() {
 usage: tests/run.sh [--full] [--no-paraview] [--no-sanitizers] [--asan] [--tsan] [--fuzz [SECONDS]] [--tidy]
 
 Installs the packages that are missing (Debian 12) and ParaView, checks the format of the sources, builds abut and its tests in
-build/release with warnings as errors, and runs the tests (all but the published cases at full size); then does what --asan,
---fuzz and --tsan do.
+build/release with warnings as errors, and runs the tests (all but the published cases at full size); then does what --fuzz and
+--tsan do, and runs the contact scenes of the tests of threads under the address and undefined-behaviour sanitizers.
 
   --full  also the published cases at full size (hours)
   --no-paraview  does not install ParaView (0.7 GB); its test is skipped if it isn't there
@@ -117,7 +117,9 @@ fi
 # === Sanitizers
 if [[ $asan$fuzz == *yes* ]]; then configure asan -DABUT_WERROR=ON; fi
 if [[ $asan == yes ]]; then
-    suites=(test_threads test_core test_geometry test_io)
+    suites=(test_threads)
+    # These take as long to compile as all libraries together.
+    [[ $release == no ]] && suites+=(test_core test_geometry test_io)
     build asan "${suites[@]}"
     phase "Tests under the address and undefined-behaviour sanitizers" tests/sanitized.sh "${suites[@]}"
 fi

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs test programs of build/asan, as many parts of one at a time as there are cores. (A process of its own for every
-# test, as `ctest --preset asan` does it, spends more time on starting and on looking for leaks than on tests.)
+# Runs test programs of build/asan, as many parts of one at a time as there are cores; not a process for every test, as
+# `ctest --preset asan` does it, since each process starts slowly and looks for leaks at its end.
 #
 #   tests/sanitized.sh TEST_PROGRAM...
 #
