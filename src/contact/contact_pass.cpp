@@ -2,6 +2,7 @@
 
 #include "boundary/rigid_body.h"
 #include "contact/group_view.h"
+#include "contact/hold_together.h"
 
 #include <algorithm>
 
@@ -269,6 +270,7 @@ void first_contact_pass(State<D>& state) {
         change = &state.nodes.delta_velocity;
     }
     correct_all(state, {}, state.nodes.velocity, change);
+    if (change && state.transfers) find_holds(state, state.nodes.velocity, *change);
     const bool moves_particles = state.effects.pic && state.transfers;
     if (!moves_particles) return;
     for (ContactPoint<D>& point : state.contact.points) point.extra_impulse = point.impulse;
@@ -299,6 +301,7 @@ void correct_for_contact(State<D>& state, std::vector<Pack>& velocity, std::vect
     correct_all(state, {}, velocity, change);
     state.contact.points = points;
     state.contact.groups = groups;
+    if (change) drop_held_part(state, velocity, *change);
 }
 
 template void first_contact_pass<2>(State<2>&);

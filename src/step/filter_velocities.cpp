@@ -1,4 +1,5 @@
 #include "boundary/rigid_body.h"
+#include "contact/hold_together.h"
 #include "grid/parallel.h"
 #include "shape/dispatch.h"
 #include "step/tasks.h"
@@ -36,7 +37,7 @@ void sweep(State<D>& state, const std::vector<Pack>& u, std::vector<Pack>& round
 ///   m_k^-1 p − m_(k−1)^-1 Δp = Σ_{j<k−1} A^j (v − Δv) + A^(k−1) v,
 /// which is found from the inside out: u = v, then k − 1 times u ← (v − Δv) + u − S+ S u. This equals the recursion of
 /// FMPM paper §2.2 and contact paper Eq. (43), (44) without its binomial coefficients, which alternate in sign and grow
-/// with k.
+/// with k. What contact holds together is held in each sweep (hold_together.h).
 template <int D>
 void apply_mass_matrix_inverse(State<D>& state, const std::vector<Pack>& velocity, const std::vector<Pack>* delta,
                                std::vector<Pack>& filtered) {
@@ -45,6 +46,7 @@ void apply_mass_matrix_inverse(State<D>& state, const std::vector<Pack>& velocit
     filtered = velocity;
     for (int order = 0; order < state.effects.extra_orders; ++order) {
         sweep(state, filtered, round_trip);
+        if (delta) hold_together(state, velocity, filtered, round_trip);
 #pragma omp parallel for schedule(static)
         for (std::ptrdiff_t slot = 0; slot < n; ++slot) {
             const Pack v = velocity[slot];
