@@ -44,9 +44,10 @@ void apply_mass_matrix_inverse(State<D>& state, const std::vector<Pack>& velocit
     const auto n = static_cast<std::ptrdiff_t>(state.fields.size());
     std::vector<Pack>& round_trip = state.nodes.round_trip;
     filtered = velocity;
+    const bool holds = delta || (state.effects.fmpm && !state.controls.empty());
     for (int order = 0; order < state.effects.extra_orders; ++order) {
         sweep(state, filtered, round_trip);
-        if (delta) hold_together(state, velocity, filtered, round_trip);
+        if (holds) hold_together(state, velocity, filtered, round_trip, order + 1 == state.effects.extra_orders);
 #pragma omp parallel for schedule(static)
         for (std::ptrdiff_t slot = 0; slot < n; ++slot) {
             const Pack v = velocity[slot];
@@ -118,19 +119,24 @@ namespace {
 /// FMPM with contact. Impulses of contact go through the full mass matrix with the forces that they balance. But:
 /// * Where bodies meet, an impulse that stops the lumped masses of a few nodes would come out of the full mass matrix k
 ///   times as large and throw the edges back: energy from nowhere (two blocks gained 18 % just after they
-///   met, FMPM(8)). So what stops an approach is added after the filter, as it is.
+///   met, FMPM(8)). So bodies that don't part are held together in every sweep (hold_together.h), and where they do
+///   (springs between them) what stops an approach is added after the filter, as it is.
 /// * Behind the filter bodies don't keep out of each other any more. As with walls ("combined" conditions, FMPM paper
 ///   §2.4) they are made to again, with momentum kept pair by pair. Particles then move and deform alike, and don't
 ///   drift into overlaps.
 template <int D>
 void filter_with_contact(State<D>& state, const std::vector<Pack>* delta) {
     NodeArrays<D>& nodes = state.nodes;
+    if (state.effects.delta_velocity) find_holds(state, HoldsOf::any, nodes.end_velocity, nodes.delta_velocity);
+    const auto rebounds = [&](const ContactPoint<D>& point) {
+        return point.held == Hold::none && is_bound(state, point);
+    };
     std::vector<Pack> without_impacts = nodes.end_velocity;
     for (const ContactPoint<D>& point : state.contact.points)
-        if (is_bound(state, point)) exchange<D>(point, -impact(state, point), nodes.end_velocity, without_impacts);
+        if (rebounds(point)) exchange<D>(point, -impact(state, point), nodes.end_velocity, without_impacts);
     apply_mass_matrix_inverse(state, without_impacts, delta, nodes.filtered);
     for (const ContactPoint<D>& point : state.contact.points)
-        if (is_bound(state, point)) exchange<D>(point, impact(state, point), nodes.end_velocity, nodes.filtered);
+        if (rebounds(point)) exchange<D>(point, impact(state, point), nodes.end_velocity, nodes.filtered);
     keep_normal_jumps(state, nodes.end_velocity, nodes.filtered, true);
 }
 
