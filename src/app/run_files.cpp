@@ -18,11 +18,16 @@ std::vector<std::string> with_key_columns(std::vector<std::string> keys, const s
     return keys;
 }
 
+/// Where a frame of a series is written, relative to the results' folder.
+std::string frame_file(const RunSeries& series, std::size_t number) {
+    return fmt::format("{0}/{0}_{1:05}.{2}", series.name, number, series.extension);
+}
+
 /// Writes one file of a series and enters it.
 template <class Frame>
-void write_to_series(RunSeries& series, const char* extension, const Frame& frame, Reals reals,
+void write_to_series(RunSeries& series, const Frame& frame, Reals reals,
                      void (*write)(const std::filesystem::path&, const Frame&, Reals)) {
-    const std::string file = fmt::format("{0}/{0}_{1:05}.{2}", series.name, series.frames, extension);
+    const std::string file = frame_file(series, static_cast<std::size_t>(series.frames));
     const std::filesystem::path path = series.pvd.path.parent_path() / file;
     std::filesystem::create_directories(path.parent_path());
     write(path, frame, reals);
@@ -31,37 +36,65 @@ void write_to_series(RunSeries& series, const char* extension, const Frame& fram
     ++series.frames;
 }
 
-RunSeries make_series(const std::filesystem::path& folder, const std::string& name, const SeriesSpec& spec,
-                      const OutputSpec& output, const std::vector<bool>& bodies) {
-    return {name,
-            {folder / (name + ".pvd"), {}},
-            Schedule(spec.every.value_or(output.every)),
-            spec.write,
-            {spec.arrays, bodies}};
+/// Reads what there is of a series that is to go on after its first frames. Its later frames are going to be removed:
+/// it must list what a run has written in its folder, and nothing else.
+void read_earlier(RunSeries& series, const SeriesProgress& progress) {
+    const std::filesystem::path path = series.pvd.path;
+    series.frames = static_cast<int>(progress.frames);
+    series.last_time = progress.last_time;
+    series.pvd = read_pvd(path);
+    const std::vector<PvdEntry>& entries = series.pvd.entries;
+    if (entries.size() < static_cast<std::size_t>(progress.frames))
+        throw std::runtime_error(fmt::format("{}: has {} frames instead of at least {}; has it been changed?",
+                                             path.string(), entries.size(), progress.frames));
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (entries[i].file != frame_file(series, i))
+            throw std::runtime_error(fmt::format("{}: entry {} is \"{}\" instead of \"{}\"; has it been changed?",
+                                                 path.string(), i, entries[i].file, frame_file(series, i)));
+    const std::filesystem::path frames = path.parent_path() / series.name;
+    if (std::filesystem::is_symlink(frames))
+        throw std::runtime_error(fmt::format("{}: is a link; a resumed run removes and writes frames only in its own "
+                                             "folder: move them there, or link the whole folder of results",
+                                             frames.string()));
+}
+
+/// \param resumed where the output of the run that goes on was
+std::array<RunSeries, 3> open_series(const std::filesystem::path& folder, const Scene& scene, bool contact,
+                                     const std::vector<bool>& bodies, double time, const OutputProgress* resumed) {
+    const OutputSpec& output = scene.output;
+    const auto make = [&](const char* name, const char* extension, const SeriesSpec& spec) {
+        return RunSeries{name,
+                         extension,
+                         {folder / fmt::format("{}.pvd", name), {}},
+                         Schedule(spec.every.value_or(output.every)),
+                         spec.write,
+                         {spec.arrays, bodies}};
+    };
+    std::array<RunSeries, 3> series = {make("particles", "vtu", output.particles), make("grid", "vti", output.grid),
+                                       make("contact", "vtp", output.contact)};
+    series[2].wanted &= contact;
+    for (std::size_t i = 0; resumed && i < series.size(); ++i) {
+        const SeriesProgress& progress = resumed->series[i];
+        series[i].schedule.resume(time, progress.every, progress.next);
+        if (series[i].wanted && progress.frames > 0) read_earlier(series[i], progress);
+    }
+    return series;
+}
+
+/// Removes the frames after those that a resumed series has.
+void remove_later(RunSeries& series) {
+    if (series.frames == 0) return;
+    while (series.pvd.entries.size() > static_cast<std::size_t>(series.frames)) {
+        std::filesystem::remove(series.pvd.path.parent_path() / series.pvd.entries.back().file);
+        series.pvd.entries.pop_back();
+    }
+    series.pvd.write();
 }
 
 CsvTable open_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
                     const OutputProgress* resumed, std::size_t number) {
     return resumed ? CsvTable(path, columns, static_cast<std::uintmax_t>(resumed->bytes[number]))
                    : CsvTable(path, columns);
-}
-
-/// The series goes on after its first frames; files of later ones are removed.
-void resume(RunSeries& series, const SeriesProgress& progress, double time) {
-    series.schedule.resume(time, progress.every, progress.next);
-    if (!series.wanted || progress.frames == 0) return;
-    series.pvd = read_pvd(series.pvd.path);
-    const auto kept = static_cast<std::size_t>(progress.frames);
-    if (series.pvd.entries.size() < kept)
-        throw std::runtime_error(fmt::format("{}: has {} frames instead of at least {}; has it been changed?",
-                                             series.pvd.path.string(), series.pvd.entries.size(), kept));
-    while (series.pvd.entries.size() > kept) {
-        std::filesystem::remove(series.pvd.path.parent_path() / series.pvd.entries.back().file);
-        series.pvd.entries.pop_back();
-    }
-    series.pvd.write();
-    series.frames = static_cast<int>(progress.frames);
-    series.last_time = progress.last_time;
 }
 
 /// Whether a series gets a frame at this time; if it does, its schedule moves on.
@@ -97,16 +130,13 @@ void draw_live(LivePicture& live, State<D>& state) {
 template <int D>
 RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state,
                    const OutputProgress* resumed)
-    : folder_(folder), history_(open_table(folder / "history.csv", history_columns(state), resumed, 0)),
+    : folder_(folder),
+      series_(open_series(folder, state.scene, state.effects.contact, chosen_bodies(state), state.time, resumed)),
+      history_(open_table(folder / "history.csv", history_columns(state), resumed, 0)),
       bodies_(
           open_table(folder / "bodies.csv", with_key_columns({"step", "time", "body"}, body_columns()), resumed, 1)) {
     write_text_atomically(folder / "scene.json", resolved_scene);
     const OutputSpec& output = state.scene.output;
-    const std::vector<bool> bodies = chosen_bodies(state);
-    series_ = {make_series(folder, "particles", output.particles, output, bodies),
-               make_series(folder, "grid", output.grid, output, bodies),
-               make_series(folder, "contact", output.contact, output, bodies)};
-    contact().wanted &= state.effects.contact;
     if (output.single_precision) reals_ = Reals::float32;
     if (state.effects.contact && output.pairs)
         pairs_.emplace(open_table(folder / "pairs.csv",
@@ -117,7 +147,7 @@ RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resol
                       output.live_preset, state.scene.time.end);
     }
     if (!resumed) return;
-    for (std::size_t i = 0; i < series_.size(); ++i) resume(series_[i], resumed->series[i], state.time);
+    for (RunSeries& series : series_) remove_later(series);
     last_history_ = resumed->history_last;
     write_all_pvd();
     for (const char* name : {"failed", "last_good"}) std::filesystem::remove(apart(folder, name));
@@ -186,14 +216,14 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
                 interpenetration_ = abut::interpenetration(state.particles).fraction();
                 frame.globals.push_back({"interpenetration", 1, std::vector<double>{*interpenetration_}});
             }
-        write_to_series(particles(), "vtu", frame, reals_, write_particles);
+        write_to_series(particles(), frame, reals_, write_particles);
     }
     if (of_live) {
         draw_live(*live_, state);
         live_time_ = state.time;
     }
-    if (of_grid) write_to_series(grid(), "vti", grid_frame(state, grid().choice), reals_, write_grid);
-    if (of_contact) write_to_series(contact(), "vtp", contact_frame(state, contact().choice), reals_, write_contact);
+    if (of_grid) write_to_series(grid(), grid_frame(state, grid().choice), reals_, write_grid);
+    if (of_contact) write_to_series(contact(), contact_frame(state, contact().choice), reals_, write_contact);
     if (of_contact && state.scene.output.contact_clouds)
         write_contact_clouds(state, folder_, contact().frames - 1, clouds_); // numbered as the pairs' frame
     write_all_pvd();

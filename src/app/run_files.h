@@ -23,7 +23,8 @@ enum class Frames { due, last };
 
 /// One series of a run under way.
 struct RunSeries {
-    std::string name; ///< of its folder and of its .pvd file
+    std::string name;      ///< of its folder and of its .pvd file
+    const char* extension; ///< of its frames
     PvdSeries pvd;
     Schedule schedule;
     bool wanted = true;
@@ -67,11 +68,11 @@ private:
 
     std::filesystem::path folder_;
     Reals reals_ = Reals::float64;
+    std::array<RunSeries, 3> series_; ///< before the tables: nothing is changed if a series can't be resumed
     CsvTable history_;
     CsvTable bodies_;
     std::optional<CsvTable> pairs_; ///< scenes with contact
-    std::array<RunSeries, 3> series_;
-    CloudSeries clouds_; ///< scenes that take contact nodes apart
+    CloudSeries clouds_;            ///< scenes that take contact nodes apart
     std::optional<double> interpenetration_;
     std::optional<LivePicture> live_; ///< scenes that want one
     Schedule live_schedule_;          ///< when it is drawn: as the particles would be written
