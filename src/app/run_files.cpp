@@ -18,9 +18,9 @@ std::vector<std::string> with_key_columns(std::vector<std::string> keys, const s
 
 /// Writes one file of a series and enters it.
 template <class Frame>
-void write_to_series(RunSeries& series, const char* extension, const Frame& frame, Reals reals,
+void write_to_series(RunSeries& series, const Frame& frame, Reals reals,
                      void (*write)(const std::filesystem::path&, const Frame&, Reals)) {
-    const std::string file = fmt::format("{0}/{0}_{1:05}.{2}", series.name, series.frames, extension);
+    const std::string file = frame_file(series, series.frames);
     const std::filesystem::path path = series.pvd.path.parent_path() / file;
     std::filesystem::create_directories(path.parent_path());
     write(path, frame, reals);
@@ -29,43 +29,17 @@ void write_to_series(RunSeries& series, const char* extension, const Frame& fram
     ++series.frames;
 }
 
-RunSeries make_series(const std::filesystem::path& folder, const std::string& name, const SeriesSpec& spec,
-                      const OutputSpec& output, const std::vector<bool>& bodies) {
-    return {name,
-            {folder / (name + ".pvd"), {}},
-            Schedule(spec.every.value_or(output.every)),
-            spec.write,
-            {spec.arrays, bodies}};
-}
-
 CsvTable open_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
                     const OutputProgress* resumed, std::size_t number) {
     return resumed ? CsvTable(path, columns, static_cast<std::uintmax_t>(resumed->bytes[number]))
                    : CsvTable(path, columns);
 }
 
-/// The series goes on after its first frames; files of later ones are removed.
-void resume(RunSeries& series, const SeriesProgress& progress, double time) {
-    series.schedule.resume(time, progress.every, progress.next);
-    if (!series.wanted || progress.frames == 0) return;
-    series.pvd = read_pvd(series.pvd.path);
-    const auto kept = static_cast<std::size_t>(progress.frames);
-    if (series.pvd.entries.size() < kept)
-        throw std::runtime_error(fmt::format("{}: has {} frames instead of at least {}; has it been changed?",
-                                             series.pvd.path.string(), series.pvd.entries.size(), kept));
-    while (series.pvd.entries.size() > kept) {
-        std::filesystem::remove(series.pvd.path.parent_path() / series.pvd.entries.back().file);
-        series.pvd.entries.pop_back();
-    }
-    series.pvd.write();
-    series.frames = static_cast<int>(progress.frames);
-    series.last_time = progress.last_time;
+std::vector<std::string> bodies_table_columns() {
+    return with_key_columns({"step", "time", "body"}, body_columns());
 }
-
-/// Whether a series gets a frame at this time; if it does, its schedule moves on.
-bool gets_frame(RunSeries& series, double time, Frames which) {
-    const bool due = series.schedule.due(time);
-    return series.wanted && (which == Frames::last ? series.last_time != time : due);
+std::vector<std::string> pairs_table_columns() {
+    return with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns());
 }
 
 std::filesystem::path apart(const std::filesystem::path& folder, const std::string& name) {
@@ -84,20 +58,21 @@ void draw_live(LivePicture& live, State<D>& state) {
 template <int D>
 RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state,
                    const OutputProgress* resumed)
-    : folder_(folder), history_(open_table(folder / "history.csv", history_columns(state), resumed, 0)),
-      bodies_(
-          open_table(folder / "bodies.csv", with_key_columns({"step", "time", "body"}, body_columns()), resumed, 1)) {
-    write_text_atomically(folder / "scene.json", resolved_scene);
+    : folder_(folder), series_(series_of(folder, state)) {
     const OutputSpec& output = state.scene.output;
-    const std::vector<bool> bodies = chosen_bodies(state);
-    series_ = {make_series(folder, "particles", output.particles, output, bodies),
-               make_series(folder, "grid", output.grid, output, bodies),
-               make_series(folder, "contact", output.contact, output, bodies)};
-    contact().wanted &= state.effects.contact;
+    const bool has_pairs = state.effects.contact && output.pairs;
+    if (resumed) { // before anything is changed
+        check_continued(folder / "history.csv", history_columns(state), resumed->bytes[0]);
+        check_continued(folder / "bodies.csv", bodies_table_columns(), resumed->bytes[1]);
+        if (has_pairs) check_continued(folder / "pairs.csv", pairs_table_columns(), resumed->bytes[2]);
+        for (std::size_t i = 0; i < series_.size(); ++i) written_so_far(series_[i], resumed->series[i]);
+        clouds_ = read_cloud_series(folder);
+    }
+    history_.emplace(open_table(folder / "history.csv", history_columns(state), resumed, 0));
+    bodies_.emplace(open_table(folder / "bodies.csv", bodies_table_columns(), resumed, 1));
+    if (has_pairs) pairs_.emplace(open_table(folder / "pairs.csv", pairs_table_columns(), resumed, 2));
+    write_text_atomically(folder / "scene.json", resolved_scene);
     if (output.single_precision) reals_ = Reals::float32;
-    if (state.effects.contact && output.pairs)
-        pairs_.emplace(open_table(folder / "pairs.csv",
-                                  with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns()), resumed, 2));
     if (output.live) {
         live_schedule_ = Schedule(output.particles.every.value_or(output.every));
         live_.emplace(folder / "live.png", Bounds{state.scene.grid.lower, state.scene.grid.upper}, state.scene.title,
@@ -105,6 +80,7 @@ RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resol
     }
     if (!resumed) return;
     for (std::size_t i = 0; i < series_.size(); ++i) resume(series_[i], resumed->series[i], state.time);
+    cut_cloud_series(clouds_, contact().last_time);
     last_history_ = resumed->history_last;
     write_all_pvd();
     for (const char* name : {"failed", "last_good"}) std::filesystem::remove(apart(folder, name));
@@ -113,7 +89,7 @@ RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resol
 void RunFiles::write_all_pvd() const {
     std::vector<PvdPart> parts;
     for (const RunSeries& series : series_)
-        if (series.wanted) parts.push_back({series.name, &series.pvd});
+        if (series.wanted || !series.pvd.entries.empty()) parts.push_back({series.name, &series.pvd});
     write_parts(folder_ / "all.pvd", parts);
 }
 
@@ -123,7 +99,7 @@ OutputProgress RunFiles::progress() const {
         progress.series[i] = {series_[i].frames, series_[i].last_time, series_[i].schedule.every(),
                               series_[i].schedule.next()};
     progress.history_last = last_history_;
-    progress.bytes = {static_cast<std::int64_t>(history_.bytes()), static_cast<std::int64_t>(bodies_.bytes()),
+    progress.bytes = {static_cast<std::int64_t>(history_->bytes()), static_cast<std::int64_t>(bodies_->bytes()),
                       pairs_ ? static_cast<std::int64_t>(pairs_->bytes()) : 0};
     return progress;
 }
@@ -133,13 +109,13 @@ Totals RunFiles::write_history(State<D>& state) {
     const std::vector<Totals> by_body = body_totals(state);
     const Totals all = deformable_totals(state, by_body);
     const double interval = state.time - last_history_;
-    history_.row(history_row(state, all, interval));
+    history_->row(history_row(state, all, interval));
     last_history_ = state.time;
     for (std::size_t b = 0; b < by_body.size(); ++b) {
         std::vector<CsvTable::Value> row = {std::int64_t{state.step}, state.time,
                                             std::string_view(state.bodies[b].name)};
         for (const double value : body_row(by_body[b], state.bodies[b].rigid.has_value())) row.emplace_back(value);
-        bodies_.row(row);
+        bodies_->row(row);
     }
     if (pairs_) {
         for (const PairRow& pair : pair_rows(state, interval)) {
@@ -151,8 +127,8 @@ Totals RunFiles::write_history(State<D>& state) {
         }
         pairs_->flush();
     }
-    history_.flush();
-    bodies_.flush();
+    history_->flush();
+    bodies_->flush();
     return all;
 }
 
@@ -173,14 +149,14 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
                 interpenetration_ = abut::interpenetration(state.particles).fraction();
                 frame.globals.push_back({"interpenetration", 1, std::vector<double>{*interpenetration_}});
             }
-        write_to_series(particles(), "vtu", frame, reals_, write_particles);
+        write_to_series(particles(), frame, reals_, write_particles);
     }
     if (of_live) {
         draw_live(*live_, state);
         live_time_ = state.time;
     }
-    if (of_grid) write_to_series(grid(), "vti", grid_frame(state, grid().choice), reals_, write_grid);
-    if (of_contact) write_to_series(contact(), "vtp", contact_frame(state, contact().choice), reals_, write_contact);
+    if (of_grid) write_to_series(grid(), grid_frame(state, grid().choice), reals_, write_grid);
+    if (of_contact) write_to_series(contact(), contact_frame(state, contact().choice), reals_, write_contact);
     if (of_contact && state.scene.output.contact_clouds)
         write_contact_clouds(state, folder_, contact().frames - 1, clouds_); // numbered as the pairs' frame
     write_all_pvd();
@@ -189,10 +165,16 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
 
 template <int D>
 std::filesystem::path RunFiles::write_apart(const State<D>& state, const std::string& name) {
-    const std::filesystem::path file = apart(folder_, name);
+    std::filesystem::path file = apart(folder_, name);
     std::filesystem::create_directories(file.parent_path());
     write_particles(file, particle_frame(state));
     return file;
+}
+
+void RunFiles::sync_tables() {
+    history_->sync();
+    bodies_->sync();
+    if (pairs_) pairs_->sync();
 }
 
 std::string RunFiles::last_frame() const {
@@ -206,8 +188,8 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
                   const RunTiming& timing) {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const double particle_steps =
-        static_cast<double>(state.particles.size()) * static_cast<double>(state.step + timing.abandoned_steps);
+    const double particle_steps = static_cast<double>(state.particles.size()) *
+                                  static_cast<double>(state.step - timing.resumed_at_step + timing.abandoned_steps);
     nlohmann::ordered_json json = {
         {"wall_seconds", timing.wall_seconds},
         {"cpu_seconds", timing.cpu_seconds},
@@ -215,6 +197,7 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
         {"output_seconds", timing.output_seconds},
         {"tasks", nlohmann::ordered_json::object()},
         {"steps", state.step},
+        {"resumed_at_step", timing.resumed_at_step},
         {"step_reductions", state.step_reductions},
         {"abandoned_steps", timing.abandoned_steps},
         {"particles", state.particles.size()},
