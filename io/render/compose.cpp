@@ -149,7 +149,8 @@ Look make_look(const PointFrame& first, const Bounds& bounds, const ShownValues&
     const double unit = options.width / 1000.0;
     double panel = 0;
     const bool exact = options.range.has_value();
-    const Range range = exact ? Range(options.range) : values.range;
+    // Separations, where no pair is in contact: those of all pairs.
+    const Range range = exact ? Range(options.range) : values.range ? values.range : values.all;
     if (options.separations) look.separation = separation_scale(range, exact);
     if (!by_body(options)) look.scale = colour_scale(array, options.component, range, exact);
     if (std::optional<ColourScale>& scale = options.separations ? look.separation : look.scale; scale && values.all) {

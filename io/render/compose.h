@@ -41,7 +41,9 @@ Bounds around(Bounds bounds);
 
 /// Values that colours must tell apart: those of the particles, or separations where these are shown.
 struct ShownValues {
-    Range range; ///< for the colours: without those that options.percentile leaves out, of pairs in contact only
+    /// For the colours: without those that options.percentile leaves out. Of separations, those of pairs in contact;
+    /// make_look() takes `all` where there are none.
+    Range range;
     Range all;
 };
 /// None if colours are those of bodies.

@@ -106,6 +106,7 @@ MethodSpec bind_method(const Json& json) {
     copy_word(transfer, "position", position_words, method.transfer.position);
     copy(transfer, "every_cfl", method.transfer.every_cfl);
     copy_word(json, "stress_update", stress_update_words, method.stress_update);
+    copy_word(json, "deformation_increment", deformation_increment_words, method.deformation_increment);
     copy_word(json, "velocity_conditions", velocity_conditions_words, method.velocity_conditions);
     return method;
 }

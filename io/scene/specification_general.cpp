@@ -88,8 +88,8 @@ std::vector<Key> general_keys() {
          .range = above(0),
          .meaning = "Energy that has appeared out of nothing, as a fraction of all that the scene was given: its "
                     "energy at the start and the work of boundaries, gravity and contact; with `fmpm` times its order. "
-                    "Looked at when a row of "
-                    "`history.csv` is written."},
+                    "Looked at with each row of `history.csv`, "
+                    "at least every 50 steps, and at the end of a run."},
 
         {.path = "/method", .kind = Kind::object, .otherwise = "{}", .meaning = "The numerical method."},
         {.path = "/method/shape",
@@ -120,12 +120,13 @@ std::vector<Key> general_keys() {
         {.path = "/method/transfer/position",
          .kind = Kind::word,
          .words = texts(position_words),
-         .only_with = OnlyWith{"scheme", quoted_all({"pic", "xpic", "fmpm"})},
-         .meaning = "How particles move: with the grid velocities at the end of the step, which also deform them; from "
-                    "those at its start, as published for XPIC (not with `fmpm`; leaves cracks and overlaps after "
-                    "large compression); or with the mean of the particle's own velocities before and after the step, "
-                    "as published for FMPM (not with `xpic`). Not given: `mean-velocity` with `fmpm`, else "
-                    "`end-velocity`."},
+         .meaning =
+             "How particles move: with the grid velocities at the end of the step, which also deform them; from "
+             "those at its start, as published for XPIC (not with `fmpm`; leaves cracks and overlaps after "
+             "large compression); or with the mean of the particle's own velocities before and after the step, "
+             "as published for FMPM (not with `xpic`). Not given: `mean-velocity` with `fmpm`, `end-velocity` "
+             "with `pic` and `xpic`. `flip` moves them by the mean of the grid's velocities at start and end; only "
+             "`end-velocity` may be given instead, and is then also that of `flip` steps between others."},
         {.path = "/method/transfer/every_cfl",
          .kind = Kind::number,
          .range = above(0),
@@ -138,6 +139,13 @@ std::vector<Key> general_keys() {
          .otherwise = quoted("usl"),
          .meaning = "When stresses are updated: `usf` first, `usl` last in a time step, `usavg` by half at both ends; "
                     "`usl+` and `usavg+` extrapolate the new particle velocities to the grid before the last update."},
+        {.path = "/method/deformation_increment",
+         .kind = Kind::word,
+         .words = texts(deformation_increment_words),
+         .otherwise = quoted("exponential"),
+         .meaning = "How a step's velocity gradient deforms particles: by exp(∇v Δt), as published, which never turns "
+                    "them inside out; or by 1 + ∇v Δt, which with `\"position\": \"end-velocity\"` is just what the "
+                    "grid's motion does to them, so that bodies spin for many turns without growing."},
         {.path = "/method/velocity_conditions",
          .kind = Kind::word,
          .words = texts(velocity_conditions_words),

@@ -39,6 +39,8 @@ inline constexpr std::array position_words{Word{"end-velocity", PositionUpdate::
 inline constexpr std::array stress_update_words{Word{"usf", StressUpdate::usf}, Word{"usavg", StressUpdate::usavg},
                                                 Word{"usl", StressUpdate::usl}, Word{"usl+", StressUpdate::usl_plus},
                                                 Word{"usavg+", StressUpdate::usavg_plus}};
+inline constexpr std::array deformation_increment_words{Word{"exponential", DeformationIncrement::exponential},
+                                                        Word{"linear", DeformationIncrement::linear}};
 inline constexpr std::array velocity_conditions_words{Word{"combined", VelocityConditions::combined},
                                                       Word{"velocity", VelocityConditions::velocity},
                                                       Word{"lumped", VelocityConditions::lumped}};

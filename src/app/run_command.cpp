@@ -10,7 +10,9 @@
 #include "io/results/si_prefix.h"
 #include "io/scene/read_scene.h"
 #include "io/scene/units.h"
+#include "results/history.h"
 #include "scene/input_files.h"
+#include "step/setback.h"
 #include "step/watch.h"
 
 #include <fmt/format.h>
@@ -144,6 +146,10 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
         timing.output_seconds += seconds_since(writing);
         return all;
     };
+    const auto watch = [&](const Totals& all) {
+        watch_energy(state, all.kinetic_energy + all.strain_energy, all.mass);
+    };
+    const auto totals = [&] { return deformable_totals(state, body_totals(state)); };
     const auto output_progress = [&] {
         OutputProgress output = files->progress();
         output.history_every = history.every();
@@ -166,8 +172,7 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
 
     if (!resumed) {
         write_frames(Frames::last);
-        const Totals all = write_history();
-        watch_energy(state, all.kinetic_energy + all.strain_energy, all.mass);
+        watch(write_history());
     }
     bool history_written = true;
     bool cut_short = false;
@@ -187,11 +192,10 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
             const auto step_start = std::chrono::steady_clock::now();
             if (state.time + state.dt == state.time) {
                 if (end - state.time <= 1e-12 * end) break; // what is left of the run is round-off
-                throw RunError(Trouble::step_vanished,
-                               describe_failure(state, stiffest_particle(state),
-                                                fmt::format("the time step has shrunk to {:g} s, which no longer "
-                                                            "advances the time; waves are fastest here, {:g} m/s",
-                                                            state.dt, state.largest_wave_speed)));
+                throw run_error(Trouble::step_vanished, state, stiffest_particle(state),
+                                fmt::format("the time step has shrunk to {:g} s, which no longer "
+                                            "advances the time; waves are fastest here, {:g} m/s",
+                                            state.dt, state.largest_wave_speed));
             }
             const double after = state.time + state.dt;
             state.wants_areas = state.effects.pairs && (is_last || history.is_due(after) || after >= end);
@@ -199,15 +203,23 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
             timing.solver_seconds += seconds_since(step_start);
             progress.update(state.step, state.time);
             history_written = history.due(state.time);
-            if (history_written) {
-                const Totals all = write_history();
-                watch_energy(state, all.kinetic_energy + all.strain_energy, all.mass);
-            }
+            if (history_written)
+                watch(write_history());
+            else if (state.step % energy_watch_steps == 0)
+                watch(totals());
             write_frames(Frames::due);
+        }
+        // The state that the run ends with too; without a trace, so that a run that is resumed goes on as if there had
+        // been no end. One that is interrupted only saves its state.
+        if (!history_written && !interrupted) {
+            const EnergyWatch before = state.energy_watch;
+            watch(totals());
+            state.energy_watch = before;
         }
     };
     const auto can_go_back = [&](const RunError& error) {
-        return !good.empty() && depends_on_step(error.trouble()) && state.step_reductions < most_step_reductions;
+        return !good.empty() && depends_on_step(error.trouble()) && state.step_reductions < most_step_reductions &&
+               setback_of(state, error).returns < most_returns;
     };
     const auto go_back_and_halve_step = [&](const RunError& error) {
         const auto& [from, output] = good.oldest();
@@ -217,6 +229,7 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
         timing.abandoned_steps += state.step - from.step;
         good.drop_newer();
         ++good.oldest().state.step_reductions;
+        good.oldest().state.setback = setback_of(state, error);
         go_back(from, state);
         files.emplace(folder, loaded.resolved, state, &output);
         history.resume(state.time, output.history_every, output.history_next);

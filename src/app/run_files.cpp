@@ -20,7 +20,7 @@ std::vector<std::string> with_key_columns(std::vector<std::string> keys, const s
 template <class Frame>
 void write_to_series(RunSeries& series, const Frame& frame, Reals reals,
                      void (*write)(const std::filesystem::path&, const Frame&, Reals)) {
-    const std::string file = frame_file(series, series.frames);
+    const std::string file = frame_file(series, static_cast<std::size_t>(series.frames));
     const std::filesystem::path path = series.pvd.path.parent_path() / file;
     std::filesystem::create_directories(path.parent_path());
     write(path, frame, reals);

@@ -50,9 +50,19 @@ PvdSeries written_so_far(const RunSeries& series, const SeriesProgress& progress
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(fmt::format("{}; {}", error.what(), advice()));
     }
-    if (found.entries.size() < kept)
+    const std::vector<PvdEntry>& entries = found.entries;
+    if (entries.size() < kept)
         throw std::runtime_error(fmt::format("{}: has {} frames instead of at least {}: it has been changed; {}",
-                                             path.string(), found.entries.size(), kept, advice()));
+                                             path.string(), entries.size(), kept, advice()));
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (entries[i].file != frame_file(series, i))
+            throw std::runtime_error(fmt::format("{}: entry {} is \"{}\" instead of \"{}\": it has been changed; {}",
+                                                 path.string(), i, entries[i].file, frame_file(series, i), advice()));
+    const std::filesystem::path frames = path.parent_path() / series.name;
+    if (std::filesystem::is_symlink(frames))
+        throw std::runtime_error(fmt::format("{}: is a link; a resumed run removes and writes frames only in its own "
+                                             "folder: move them there, or link the whole folder of results",
+                                             frames.string()));
     return found;
 }
 

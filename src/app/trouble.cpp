@@ -3,6 +3,7 @@
 #include "io/scene/words.h"
 #include "plan/time_step.h"
 #include "step/good_state.h"
+#include "step/setback.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +14,10 @@ namespace abut {
 
 namespace {
 
+/// Nothing if the trouble comes whatever the step.
 template <int D>
 std::string smaller_step(const State<D>& state) {
+    if (state.setback && state.setback->returns == most_returns) return "";
     const TimeSpec& time = state.scene.time;
     const double reduction = std::ldexp(1.0, -state.step_reductions);
     const std::string reduced =
@@ -174,6 +177,8 @@ bool depends_on_step(Trouble trouble) {
 template <int D>
 void report_trouble(const RunError& error, State<D>& state, RunFiles& files, GoodStates<D>& good,
                     const std::string& checkpoint, const std::string& unwritten) {
+    state.setback = setback_of(state, error);
+    const bool comes_back = state.setback->returns == most_returns;
     std::vector<std::string> advice = advice_on(error.trouble(), state);
     std::vector<std::string> left;
     const auto write = [&](const char* name, const std::string& what) {
@@ -185,7 +190,11 @@ void report_trouble(const RunError& error, State<D>& state, RunFiles& files, Goo
     };
     write("failed", "the state gone wrong");
     if (!good.empty()) {
-        if (state.step_reductions == most_step_reductions)
+        if (comes_back)
+            left.emplace_back(
+                "it came back at the same time and place though the time step was halved twice: a smaller "
+                "one won't help");
+        else if (state.step_reductions == most_step_reductions)
             left.push_back(fmt::format("the time step was halved {} times in vain", most_step_reductions));
         go_back(good.oldest().state, state);
         write("last_good", fmt::format("the last good state, step {}, {:g} s", state.step, state.time));
@@ -195,11 +204,11 @@ void report_trouble(const RunError& error, State<D>& state, RunFiles& files, Goo
     left.push_back(checkpoint.empty() ? "no checkpoint was written before: see /output/checkpoint_every"
                                       : "the last checkpoint before: " + checkpoint);
     if (!unwritten.empty()) left.push_back(unwritten);
-    if (good.empty() && depends_on_step(error.trouble()))
-        advice.push_back(checkpoint.empty()
-                             ? "--set /time/on_trouble=shrink-step, which goes back and halves the step by itself"
-                             : "go on from the checkpoint: --resume --set /time/on_trouble=shrink-step");
-    throw RunError(error.trouble(), trouble_report(error.what(), left, advice));
+    if (good.empty() && depends_on_step(error.trouble()) && !comes_back)
+        advice.emplace_back(checkpoint.empty()
+                                ? "--set /time/on_trouble=shrink-step, which goes back and halves the step by itself"
+                                : "go on from the checkpoint: --resume --set /time/on_trouble=shrink-step");
+    throw RunError(error.trouble(), error.particle(), trouble_report(error.what(), left, advice));
 }
 
 template void report_trouble<2>(const RunError&, State<2>&, RunFiles&, GoodStates<2>&, const std::string&,

@@ -51,8 +51,7 @@ void move_rigid_bodies(State<D>& state) {
         }
     });
     for (const std::int32_t p : outside)
-        if (p >= 0)
-            throw RunError(Trouble::rigid_left_grid, describe_failure(state, p, "the rigid body left the grid"));
+        if (p >= 0) throw run_error(Trouble::rigid_left_grid, state, p, "the rigid body left the grid");
 }
 
 template std::vector<RigidPose> rigid_poses<2>(const State<2>&, double);

@@ -33,6 +33,28 @@ struct Particles {
     double across_of(std::size_t p) const { return across.empty() ? 1.0 : across[p]; }
 };
 
+/// Calls visit(name, array) with each array that a run changes; of several stores of one kind with the arrays of all:
+/// visit(name, array, array). Arrays that a scene doesn't need are empty.
+template <class Visit, class... Stores>
+void visit_changing(Visit&& visit, Stores&... stores) {
+    visit("position", stores.position...);
+    visit("velocity", stores.velocity...);
+    visit("deformation_gradient", stores.deformation_gradient...);
+    visit("stress", stores.stress...);
+    visit("across", stores.across...);
+}
+
+/// Likewise with each array of what a particle keeps for good: only their order changes.
+template <class Visit, class... Stores>
+void visit_lasting(Visit&& visit, Stores&... stores) {
+    visit("mass", stores.mass...);
+    visit("volume", stores.volume...);
+    visit("half_size", stores.half_size...);
+    visit("prestress", stores.prestress...);
+    visit("body", stores.body...);
+    visit("id", stores.id...);
+}
+
 /// Bytes that one particle takes in Particles<D>.
 template <int D>
 constexpr std::size_t bytes_per_particle() {

@@ -47,17 +47,11 @@ Tiling<D> sort_particles(Particles<D>& particles, const Grid<D>& grid, bool fiel
 
     std::vector<std::int32_t> order(n);
     for (std::int32_t i = 0; i < n; ++i) order[i] = keys[i].particle;
-    permute(particles.position, order);
-    permute(particles.velocity, order);
-    permute(particles.deformation_gradient, order);
-    permute(particles.stress, order);
-    permute(particles.mass, order);
-    permute(particles.volume, order);
-    permute(particles.half_size, order);
-    if (!particles.across.empty()) permute(particles.across, order);
-    if (!particles.prestress.empty()) permute(particles.prestress, order);
-    permute(particles.body, order);
-    permute(particles.id, order);
+    const auto sort = [&](const char*, auto& values) {
+        if (!values.empty()) permute(values, order);
+    };
+    visit_changing(sort, particles);
+    visit_lasting(sort, particles);
 
     Tiling<D> tiling;
     for (std::int32_t i = 0; i < n; ++i) {

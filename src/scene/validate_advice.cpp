@@ -2,6 +2,9 @@
 #include "scene/validate.h"
 #include "scene/validate_parts.h"
 
+#include <cmath>
+#include <numbers>
+#include <sstream>
 #include <string>
 
 namespace abut {
@@ -62,6 +65,44 @@ void advise_contact(const Scene& scene, Problems& advice) {
         advise("/images/" + std::to_string(i) + "/particles_per_cell", scene.images[i].particles_per_cell);
 }
 
+/// Bodies that spin from the beginning on: with dF = exp(∇v Δt), or with positions that go by other velocities than
+/// those that deform, the radius grows by up to exp(½ θ²) in a step of angle θ (tests/stability/deformation.cpp).
+void advise_spin(const Scene& scene, Problems& advice) {
+    const MethodSpec& method = scene.method;
+    const TransferSpec& transfer = method.transfer;
+    const bool grid_positions = transfer.scheme == TransferScheme::flip
+                                    ? transfer.position == PositionUpdate::end_velocity
+                                    : position_update(transfer) == PositionUpdate::end_velocity;
+    const bool linear = method.deformation_increment == DeformationIncrement::linear;
+    if (linear && grid_positions) return;
+    const double step = initial_step(scene);
+    const auto advise = [&](const std::string& name, const InitialVelocity& velocity, const InitialState& state) {
+        const auto& L = velocity.gradient;
+        const Vector& w = state.angular_velocity;
+        const double spin = std::hypot(w[0] + 0.5 * (L[2][1] - L[1][2]), w[1] + 0.5 * (L[0][2] - L[2][0]),
+                                       w[2] + 0.5 * (L[1][0] - L[0][1])); // [rad/s]
+        const double growth = std::expm1(0.5 * spin * step * spin * scene.time.end);
+        if (growth < 0.01) return;
+        std::ostringstream text;
+        text.precision(2);
+        text << "\"" << name << "\" spins by " << spin * step << " rad a step, "
+             << spin * scene.time.end / (2 * std::numbers::pi) << " turns in all: its radius may grow by up to ";
+        if (growth < 1)
+            text << 100 * growth << " %";
+        else
+            text << 1 + growth << " times";
+        text << "; use " << (linear ? "" : "\"deformation_increment\": \"linear\"")
+             << (linear || grid_positions ? "" : " and ")
+             << (grid_positions ? "" : "\"position\": \"end-velocity\" in /method/transfer") << ", or smaller steps";
+        advice.push_back({"/method", text.str()});
+    };
+    for (const BodySpec& body : scene.bodies)
+        if (!body.rigid) advise(body.name, body.velocity, body.state);
+    for (const ImageSpec& image : scene.images)
+        for (const auto& entry : image.legend)
+            if (!entry.is_void && !entry.rigid) advise(entry.body, {}, entry.state);
+}
+
 } // namespace
 
 Problems advice(const Scene& scene) {
@@ -79,6 +120,7 @@ Problems advice(const Scene& scene) {
                           "nodes with next to no mass is mostly noise (the two-block impact loses ten times the energy "
                           "of other shapes); use \"b2spline\", which costs as little, or \"ugimp\""});
     advise_walls(scene, advice);
+    advise_spin(scene, advice);
     if (scene.contact) {
         advise_contact(scene, advice);
         advise_interface(scene, scene.contact->law, "/contact/law", advice);

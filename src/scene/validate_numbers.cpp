@@ -61,6 +61,10 @@ void check_method(const Scene& scene, Problems& problems) {
     demand(transfer.order >= 1, "/method/transfer/order", "must be at least 1", problems);
     if (transfer.every_cfl)
         demand(*transfer.every_cfl > 0, "/method/transfer/every_cfl", "must be greater than 0", problems);
+    demand(transfer.scheme != TransferScheme::flip || !transfer.position ||
+               transfer.position == PositionUpdate::end_velocity,
+           "/method/transfer/position", R"("flip" has its own rule; only "end-velocity" may be given instead)",
+           problems);
     demand(!(transfer.scheme == TransferScheme::fmpm && transfer.position == PositionUpdate::start_velocity),
            "/method/transfer/position", R"("start-velocity" does not go with "fmpm"; use "mean-velocity")", problems);
     demand(!(transfer.scheme == TransferScheme::xpic && transfer.position == PositionUpdate::mean_velocity),

@@ -84,14 +84,13 @@ void check_windows(const State<D>& state) {
     for (const Tile<D>& tile : state.tiling.tiles)
         for (int a = 0; a < D; ++a)
             if (tile.window.lower[a] < 0 || tile.window.upper[a] >= state.grid.blocks[a] * block_edge)
-                throw RunError(Trouble::domain_left_grid,
-                               describe_failure(state, widest_particle(state, tile, a, true),
-                                                "the particle's domain reaches out of the grid"));
+                throw run_error(Trouble::domain_left_grid, state, widest_particle(state, tile, a, true),
+                                "the particle's domain reaches out of the grid");
     for (const Tile<D>& tile : state.tiling.tiles)
         for (int a = 0; a < D; ++a)
             if (tile.window.extent(a) > most_axis_nodes)
-                throw RunError(Trouble::stretched, describe_failure(state, widest_particle(state, tile, a, false),
-                                                                    "the particle is stretched over dozens of cells"));
+                throw run_error(Trouble::stretched, state, widest_particle(state, tile, a, false),
+                                "the particle is stretched over dozens of cells");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "step/good_state.h"
 
 #include "step/tasks.h"
+#include "step/visit_state.h"
 
 namespace abut {
 
@@ -8,20 +9,7 @@ namespace {
 
 template <int D>
 void copy_what_changes(const State<D>& from, State<D>& to) {
-    to.particles = from.particles;
-    to.tiling = from.tiling;
-    to.ledger = from.ledger;
-    to.energy_watch = from.energy_watch;
-    to.pair_totals = from.pair_totals;
-    to.rigid_totals = from.rigid_totals;
-    to.boundaries = from.boundaries; // their impulses
-    to.time = from.time;
-    to.dt = from.dt;
-    to.step = from.step;
-    to.step_reductions = from.step_reductions;
-    to.largest_wave_speed = from.largest_wave_speed;
-    to.since_transfer = from.since_transfer;
-    to.transfers = from.transfers;
+    visit_state([](const char*, auto&& copy, const auto& original) { copy = original; }, to, from);
 }
 
 } // namespace

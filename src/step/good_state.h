@@ -3,11 +3,8 @@
 
 namespace abut {
 
-/// How often a run may halve its time step after trouble.
-constexpr int most_step_reductions = 5;
-
-/// What of a state a run can go on from, bit for bit; all else is made anew from it. As in a checkpoint: particles in
-/// their order with their tiles, sums of the ledger and of the rows under way, the clock.
+/// What of a state a run can go on from, bit for bit, as visit_state() lists it: particles in their order with their
+/// tiles, sums of the ledger and of the rows under way, the clock.
 template <int D>
 State<D> kept_copy(const State<D>& state);
 

@@ -10,8 +10,10 @@
 #include "particles/particles.h"
 #include "plan/effects.h"
 #include "shape/stencil_store.h"
+#include "step/trouble.h"
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,12 +58,12 @@ struct RigidTotals {
     Vector angular_impulse{}; ///< about its centre [N m s]
 };
 
-/// What watch_energy() has seen at the rows of history.csv so far.
+/// What watch_energy() has seen so far.
 struct EnergyWatch {
     double initial = 0;       ///< energy when it first looked [J]
     double given = 0;         ///< energy at the start and all work since, each without its sign [J]; 0: not begun
     double lowest = 0;        ///< least of energy − initial energy − works [J]
-    double external_work = 0; ///< at the last row [J]
+    double external_work = 0; ///< at the last look [J]
     double contact_work = 0;  ///< likewise [J]
 };
 
@@ -95,11 +97,12 @@ struct State {
     double time = 0;                                  ///< [s]
     double dt = 0;                                    ///< of the present step [s]
     long step = 0;
-    int step_reductions = 0;       ///< how often the time step was halved after trouble
-    double speed_limit = 0;        ///< of a particle [m/s], see step/watch.h
-    double largest_wave_speed = 0; ///< over all particles, of the present state [m/s]
-    double since_transfer = 0;     ///< time since the last step with the scheme's transfer [s] (Effects::periodic)
-    bool wants_areas = false;      ///< the present step finds contact areas for a row of pairs.csv (Effects::pairs)
+    int step_reductions = 0;        ///< how often the time step was halved after trouble
+    std::optional<Setback> setback; ///< the last such trouble
+    double speed_limit = 0;         ///< of a particle [m/s], see step/watch.h
+    double largest_wave_speed = 0;  ///< over all particles, of the present state [m/s]
+    double since_transfer = 0;      ///< time since the last step with the scheme's transfer [s] (Effects::periodic)
+    bool wants_areas = false;       ///< the present step finds contact areas for a row of pairs.csv (Effects::pairs)
     bool transfers = true; ///< the present step uses the scheme's transfer, not FLIP between (Effects::periodic)
 
     const Material& material_of(int body) const { return materials[bodies[body].material]; }

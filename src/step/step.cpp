@@ -111,7 +111,7 @@ double next_step(const State<D>& state, double until) {
             text << "the time step of " << dt << " s is above the stable one of " << stable << " s ("
                  << cfl_limit(state.scene) << " cell / wave speed); waves are fastest here, "
                  << state.largest_wave_speed << " m/s";
-            throw RunError(Trouble::step_too_large, describe_failure(state, stiffest_particle(state), text.str()));
+            throw run_error(Trouble::step_too_large, state, stiffest_particle(state), text.str());
         }
     }
     return std::min(dt, until - state.time);

@@ -109,8 +109,9 @@ double sweep_tile(State<D>& state, const Sweep<D>& sweep, const Tile<D>& tile, s
         if (!deforms) continue;
         with_law(state.material_of(tile.body).law, [&](const auto& law) {
             for (std::int32_t p = first; p < last; ++p) {
-                const double stiffness = update_stress(particles, p, law, gradients[p - first], sweep.strain_step,
-                                                       state.effects.free_across);
+                const double stiffness =
+                    update_stress(particles, p, law, gradients[p - first], sweep.strain_step,
+                                  state.scene.method.deformation_increment, state.effects.free_across);
                 stiffest = std::max(stiffest, stiffness);
                 // Neither negative nor infinite nor not a number; a sum of stresses is none of these if they aren't.
                 const bool sound = stiffness >= 0 && std::isfinite(stiffness + particles.stress[p].sum());
@@ -184,7 +185,8 @@ template <int D>
 void update_particles(State<D>& state) {
     const bool with_stress = state.effects.stress_last && !state.effects.reextrapolate;
     const double strain_step = with_stress ? state.effects.stress_share() * state.dt : 0;
-    const MoveRule rule = state.transfers ? move_rule(state.scene.method.transfer) : flip_rule;
+    const MoveRule rule =
+        state.transfers ? move_rule(state.scene.method.transfer) : flip_rule_of(state.scene.method.transfer);
     const std::vector<Pack>& velocity = final_velocity(state);
     const bool apart = state.effects.contact_strain && state.transfers; // fmpm, whose rules want E alone
     run<D>(state, {&rule, velocity, apart ? state.nodes.deforming : velocity, strain_step});

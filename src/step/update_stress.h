@@ -14,21 +14,33 @@ struct VelocityGradient {
     double hoop = 0;
 };
 
-/// dF = exp(∇v Δt), F ← dF F, stress by the law (FMPM paper Table 1, task 5). Rings stretch around the axis by
-/// exp(v_r/r Δt); in plane stress the law itself says how far the particle stretches across the plane.
-/// \return ρ0 c² of the particle [Pa]; negative: it is turned inside out, absurdly stretched or not a number
+/// The 1 + A of one direction.
+inline double linear_increment(double A) {
+    return 1 + A;
+}
+template <int D>
+Mat<D> linear_increment(const Mat<D>& A) {
+    return Mat<D>::Identity() + A;
+}
+
+/// dF = exp(∇v Δt) or 1 + ∇v Δt, F ← dF F, stress by the law (FMPM paper Table 1, task 5). Rings stretch around the
+/// axis by exp(v_r/r Δt), or 1 + v_r/r Δt; in plane stress the law itself says how far the particle stretches across
+/// the plane. \return ρ0 c² of the particle [Pa]; negative: it is turned inside out, absurdly stretched or not a number
 template <int D, class Law>
 [[gnu::always_inline]] inline double update_stress(Particles<D>& particles, std::int32_t p, const Law& law,
-                                                   const VelocityGradient<D>& gradient, double dt, bool free_across) {
+                                                   const VelocityGradient<D>& gradient, double dt,
+                                                   DeformationIncrement increment, bool free_across) {
+    const bool linear = increment == DeformationIncrement::linear;
     Mat<D> dv;
     for (int a = 0; a < D; ++a)
         for (int i = 0; i < D; ++i) dv(i, a) = gradient.column[a][i + 1] * dt;
-    const Mat<D> F = product<D>(exponential(dv), particles.deformation_gradient[p]);
+    const Mat<D> F = product<D>(linear ? linear_increment<D>(dv) : exponential(dv), particles.deformation_gradient[p]);
     particles.deformation_gradient[p] = F;
     double across = 1;
     if constexpr (D == 2) {
         if (!particles.across.empty()) {
-            across = particles.across[p] * std::exp(gradient.hoop * dt);
+            across =
+                particles.across[p] * (linear ? linear_increment(gradient.hoop * dt) : std::exp(gradient.hoop * dt));
             if (free_across) across = law.stretch_without_stress(strain_of<2>(F, across), across);
             particles.across[p] = across;
         }

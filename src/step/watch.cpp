@@ -149,13 +149,13 @@ void watch_energy(State<D>& state, double energy, double mass) {
     text << "energy of " << growth << " J has appeared out of nothing, " << growth / watch.given
          << " of all that the scene was given, above /time/limits/energy_growth of " << limit / orders
          << (orders > 1 ? " times the order of fmpm" : "") << "; this particle is the fastest";
-    throw RunError(Trouble::energy_growth, describe_failure(state, fastest_particle(state), text.str()));
+    throw run_error(Trouble::energy_growth, state, fastest_particle(state), text.str());
 }
 
 template <int D>
 void throw_trouble_of(const State<D>& state, std::int32_t particle) {
     const Finding found = find_trouble(state, particle);
-    throw RunError(found.trouble, describe_failure(state, particle, found.what));
+    throw run_error(found.trouble, state, particle, found.what);
 }
 
 template <int D>

@@ -1,8 +1,8 @@
 #pragma once
 /// \file watch.h
 /// The watch-dog: what no sound run does. Particles are checked in the loops that update them (update_particles.cpp),
-/// the energy when a row of history.csv is made; what is looked for here beyond that is looked for when a run has
-/// failed.
+/// the energy at every row of history.csv, at least every so many steps and at a run's end; what is looked for here
+/// beyond that is looked for when a run has failed.
 
 #include "step/run_error.h"
 
@@ -13,6 +13,9 @@ namespace abut {
 /// falls through the whole grid. For a state at its start.
 template <int D>
 double speed_limit(const State<D>& state);
+
+/// Steps between two looks at the energy at most: a sum over the particles, about a quarter of a step.
+constexpr int energy_watch_steps = 50;
 
 /// Looks at the energy balance. What a step does wrong shows as energy − initial energy − external work − contact work;
 /// it falls where a method dissipates, and a sound run raises it by little: its rise from the lowest so far must stay

@@ -155,6 +155,61 @@ TEST(Resume, RefusesWhatDoesNotFit) {
     EXPECT_THAT(cut.err, HasSubstr("r/history.csv"));
 }
 
+/// The files of frames after the checkpoint are removed: only those that a run has written.
+TEST(Resume, RefusesASeriesThatListsOtherFiles) {
+    const Folder made;
+    made.write("scene.json", small_scene().dump());
+    ASSERT_EQ(made.abut({"run", "scene.json", "-o", "r", "--quiet", "--until", "0.25 ms"}).exit_code, 0);
+    const std::string list = made.read("r/particles.pvd");
+    const std::string last = "particles/particles_00003.vtu";
+    ASSERT_THAT(list, HasSubstr(last)) << "after the checkpoint";
+    for (const std::string entry : {"../x", "ABSOLUTE", "link/x", "particles/../../x", "scene.json", "particles",
+                                    "particles/particles_00001.vtu", "particles/../particles/particles_00003.vtu"}) {
+        SCOPED_TRACE(entry);
+        const Folder folder;
+        std::filesystem::copy(made / "r", folder / "r", std::filesystem::copy_options::recursive);
+        folder.write("scene.json", made.read("scene.json"));
+        folder.write("x", "precious");
+        std::filesystem::create_directory_symlink("..", folder / "r/link");
+        std::string changed = list;
+        changed.replace(changed.find(last), last.size(), entry == "ABSOLUTE" ? (folder / "x").string() : entry);
+        folder.write("r/particles.pvd", changed);
+        const auto before = results_in(folder, ".");
+        const Outcome outcome = folder.abut({"run", "scene.json", "-o", "r", "--resume"});
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("r/particles.pvd: "), HasSubstr("entry 3 is ")));
+        EXPECT_EQ(lines(outcome.err).size(), 1U) << outcome.err;
+        EXPECT_TRUE(results_in(folder, ".") == before) << "nothing is touched, outside or in the folder";
+    }
+}
+
+TEST(Resume, FollowsNoLinkOutOfItsFolder) {
+    const Folder folder;
+    folder.write("scene.json", small_scene().dump());
+    const Arguments command{"run", "scene.json", "-o", "r", "--quiet"};
+    Arguments part = command, on = command;
+    part.insert(part.end(), {"--until", "0.25 ms"});
+    on.emplace_back("--resume");
+    ASSERT_EQ(folder.abut(part).exit_code, 0);
+    // The frames are elsewhere.
+    std::filesystem::rename(folder / "r/particles", folder / "elsewhere");
+    std::filesystem::create_directory_symlink("../elsewhere", folder / "r/particles");
+    const auto before = results_in(folder, ".");
+    const Outcome refused = folder.abut(on);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("r/particles: is a link"));
+    EXPECT_TRUE(results_in(folder, ".") == before);
+    std::filesystem::remove(folder / "r/particles");
+    std::filesystem::rename(folder / "elsewhere", folder / "r/particles");
+    // The list is elsewhere: it is read there and written here.
+    std::filesystem::rename(folder / "r/particles.pvd", folder / "list.pvd");
+    std::filesystem::create_symlink("../list.pvd", folder / "r/particles.pvd");
+    const std::string list = folder.read("list.pvd");
+    EXPECT_EQ(folder.abut(on).exit_code, 0);
+    EXPECT_EQ(folder.read("list.pvd"), list);
+    EXPECT_FALSE(std::filesystem::is_symlink(folder / "r/particles.pvd"));
+}
+
 TEST(Resume, TakesTheCheckpointBeforeIfTheLastIsBroken) {
     const Folder folder;
     folder.write("scene.json", small_scene({R"({"output": {"checkpoint_every_steps": 10}})"}).dump());

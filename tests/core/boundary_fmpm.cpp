@@ -158,7 +158,7 @@ void check_momentum_balance(const MethodSpec& method, bool with_contact = false)
 TEST(Boundaries, ForcesAreTheRateOfChangeOfMomentum) {
     const auto method = [](ShapeKind shape, TransferSpec t, StressUpdate update = StressUpdate::usl,
                            VelocityConditions conditions = VelocityConditions::combined) {
-        return MethodSpec{shape, t, update, conditions};
+        return MethodSpec{.shape = shape, .transfer = t, .stress_update = update, .velocity_conditions = conditions};
     };
     check_momentum_balance(method(ShapeKind::ugimp, transfer(TransferScheme::flip)));
     check_momentum_balance(method(ShapeKind::b2spline, transfer(TransferScheme::flip), StressUpdate::usf));

@@ -169,13 +169,15 @@ private:
             Mat<D> L;
             for (int i = 0; i < D; ++i)
                 for (int a = 0; a < D; ++a) L(i, a) = time * u.col(i).dot(d.G[a].row(p));
-            F[p] = exponential(L) * F[p];
+            const bool linear = state_.scene.method.deformation_increment == DeformationIncrement::linear;
+            F[p] = (linear ? Mat<D>(Mat<D>::Identity() + L) : exponential(L)) * F[p];
             std::visit(
                 [&](const auto& law) {
                     double stretch = 1;
                     if constexpr (D == 2)
                         if (!across.empty()) {
-                            stretch = across[p] * std::exp(time * u.col(0).dot(d.T.row(p)));
+                            const double hoop = time * u.col(0).dot(d.T.row(p));
+                            stretch = across[p] * (linear ? 1 + hoop : std::exp(hoop));
                             if (state_.scene.analysis == Analysis::plane_stress)
                                 stretch = law.stretch_without_stress(strain_of<2>(F[p], stretch), stretch);
                             across[p] = stretch;
@@ -193,6 +195,7 @@ private:
         case TransferScheme::flip:
             next_V = V + d.S * (v_end - v);
             next_X = X + dt * (start + 0.5 * d.S * (v_end - v));
+            if (state_.scene.method.transfer.position == PositionUpdate::end_velocity) next_X = X + dt * d.S * v_end;
             return;
         case TransferScheme::xpic:
             next_V = d.S * (full_mass(v, delta) + v_end - v);

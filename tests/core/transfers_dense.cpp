@@ -41,6 +41,27 @@ TEST_P(Transfers, FmpmOfOrdersOneToFive) {
         }
 }
 
+TEST_P(Transfers, LinearIncrementsAndFlipOfFirstOrder) {
+    const auto linear = [&](TransferSpec t, bool perfect) {
+        return [=, base = scene_with(GetParam(), t, perfect)](Scene& s) {
+            base(s);
+            s.method.deformation_increment = DeformationIncrement::linear;
+        };
+    };
+    for (const bool perfect : {false, true})
+        for (const TransferScheme scheme : {TransferScheme::flip, TransferScheme::xpic, TransferScheme::fmpm})
+            Step<2>(linear(transfer(scheme, 3, PositionUpdate::end_velocity), perfect), 30).expect();
+    Step<3>(linear(transfer(TransferScheme::flip, 2, PositionUpdate::end_velocity), true), 31).expect();
+    Step<2>(
+        [&](Scene& s) {
+            linear(transfer(TransferScheme::flip), false)(s);
+            s.analysis = Analysis::axisymmetric;
+            s.gravity = {};
+        },
+        32)
+        .expect();
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Transfers, testing::ValuesIn(all_shapes),
                          [](const auto& shape) { return std::string(name_of(shape.param)); });
 
@@ -66,6 +87,43 @@ TEST(TransferRules, XpicAndFmpmOfOrderOneArePic) {
             EXPECT_EQ(one.velocity, pic.velocity);
             EXPECT_EQ(one.position, pic.position);
         }
+    }
+}
+
+/// A body spins by a third of a turn a step: positions and deformation gradients go as one.
+TEST(TransferRules, LinearIncrementsAreTheGradientOfTheParticlesMotion) {
+    for (const DeformationIncrement increment : {DeformationIncrement::linear, DeformationIncrement::exponential}) {
+        Scene scene = plane_scene(1, 0, 0, 12, 12, material(1, 1, 1));
+        scene.method.transfer = transfer(TransferScheme::flip, 2, PositionUpdate::end_velocity);
+        scene.method.deformation_increment = increment;
+        Model model;
+        add_box(model, add_body(model, "block"), 2, 2, 10, 10, 16, 16);
+        model.bodies[0].velocity.gradient[0] = {0.3, -2, 0};
+        model.bodies[0].velocity.gradient[1] = {2, 0.1, 0};
+        model.bodies[0].velocity.center = {6, 6, 0};
+        State<2> state = make_state<2>(scene, model);
+        prepare(state);
+        const std::vector<Vec<2>> before = state.particles.position;
+        state.dt = 0.1;
+        auto tasks = step_tasks<2>(state.scene);
+        advance(state, tasks);
+        double largest = 0;
+        int inside = 0;
+        for (std::size_t p = 0; p < before.size(); ++p) {
+            const auto is_inside = [](const Vec<2>& x) { return (x.array() > 5).all() && (x.array() < 7).all(); };
+            for (std::size_t q = 0; q < before.size(); ++q)
+                if (is_inside(before[p]) && is_inside(before[q])) {
+                    ++inside;
+                    const Vec<2> moved = state.particles.position[q] - state.particles.position[p];
+                    const Vec<2> deformed = state.particles.deformation_gradient[p] * (before[q] - before[p]);
+                    largest = std::max(largest, (moved - deformed).norm());
+                }
+        }
+        EXPECT_GE(inside, 256);
+        if (increment == DeformationIncrement::linear)
+            EXPECT_LT(largest, 1e-13);
+        else
+            EXPECT_GT(largest, 0.02) << "or there is nothing to choose";
     }
 }
 

@@ -2,6 +2,7 @@
 #include "step/watch.h"
 
 #include "step/good_state.h"
+#include "step/setback.h"
 #include "support.h"
 
 #include <gmock/gmock.h>
@@ -171,6 +172,43 @@ TEST(Watch, EnergyOutOfNothingIsNoticed) {
     EXPECT_TRUE(grows({{10, 0}, {nan, 0}}, 1));
     EXPECT_FALSE(grows({{10, 0}, {29, 0}}, 0.5, 4)) << "fmpm of order 4";
     EXPECT_TRUE(grows({{10, 0}, {31, 0}}, 0.5, 4));
+}
+
+TEST(Setback, ComesBackAtTheSameTimeAndPlace) {
+    State<2> state = two_blocks();
+    state.time = 5;
+    state.dt = 0.01;
+    const auto error = [&](std::int32_t id, Trouble trouble = Trouble::left_grid) {
+        return run_error(trouble, state, place_of(state, id), "here");
+    };
+    EXPECT_EQ(setback_of(state, error(70)).returns, 0) << "the first one";
+    const auto returns = [&](double time, std::int32_t id, Trouble trouble = Trouble::left_grid) {
+        state.setback = setback_of(state, error(70));
+        state.setback->returns = 1;
+        State<2> again = state;
+        again.dt = 0.005;
+        again.time = time;
+        return setback_of(again, run_error(trouble, again, place_of(again, id), "here")).returns;
+    };
+    EXPECT_EQ(returns(5, 70), 2);
+    EXPECT_EQ(returns(5.019, 70), 2) << "less than two steps of 0.01 later";
+    EXPECT_EQ(returns(4.981, 70), 2);
+    EXPECT_EQ(returns(5.021, 70), 0);
+    EXPECT_EQ(returns(4.979, 70), 0);
+    EXPECT_EQ(returns(5, 71), 2) << "a neighbour";
+    EXPECT_EQ(returns(5, 72), 0) << "a cell away";
+    EXPECT_EQ(returns(5, 70, Trouble::inside_out), 0);
+    state.particles.position[place_of(state, 70)][0] = nan;
+    EXPECT_EQ(returns(5, 70), 0) << "who knows where";
+}
+
+TEST(Setback, WhatIsOfTheStepNeverComesBack) {
+    State<2> state = two_blocks();
+    for (const Trouble trouble : {Trouble::step_too_large, Trouble::energy_growth}) {
+        state.setback.reset();
+        state.setback = setback_of(state, run_error(trouble, state, 0, "here"));
+        EXPECT_EQ(setback_of(state, run_error(trouble, state, 0, "here")).returns, 0);
+    }
 }
 
 TEST(GoodState, GoingBackGivesTheSameBits) {

@@ -101,6 +101,18 @@ TEST(Checkpoint, BeforeTheFirstStep) {
     expect_same(fresh, read, "three steps");
 }
 
+TEST(Checkpoint, WithoutASetbackNoneIsRead) {
+    const TemporaryFolder folder;
+    const Case c = plane_cases().front();
+    State<2> state = state_after<2>(c, 3);
+    state.setback.reset();
+    write_checkpoint(folder / "a.h5", state, {}, "{}", 0);
+    State<2> read = state_after<2>(c, 5); // has one
+    read_checkpoint(folder / "a.h5", read);
+    EXPECT_FALSE(read.setback.has_value());
+    expect_same(state, read, "without");
+}
+
 TEST(Checkpoint, ReplacesTheOneBeforeTheLast) {
     const TemporaryFolder folder;
     const auto path = folder / "checkpoint.h5";

@@ -168,10 +168,14 @@ TEST_F(HostileCheckpoint, ValuesThatCannotBeAreNamed) {
         EXPECT_THAT(integer("step", 0, value), HasSubstr("step"));
         EXPECT_THAT(integer("transfers", 0, value), HasSubstr("transfers"));
         EXPECT_THAT(integer("stride", 0, value), HasSubstr("stride"));
+        EXPECT_THAT(integer("step_reductions", 0, value), HasSubstr("step_reductions"));
+        EXPECT_THAT(integer("setback/trouble", 0, value), HasSubstr("setback/trouble"));
+        EXPECT_THAT(integer("setback/returns", 0, value), HasSubstr("setback/returns"));
         EXPECT_THAT(integer("pairs/bodies", 1, value), HasSubstr("pairs/bodies"));
         EXPECT_THAT(integer("rigid/bodies", 0, value), HasSubstr("rigid/bodies"));
         EXPECT_THAT(integer("output/counts", 0, value), HasSubstr("output/counts"));
     }
+    EXPECT_THAT(integer("step_reductions", 0, 6), HasSubstr("step_reductions")) << "five are the most";
     EXPECT_THAT(integer("stride", 0, 1 << 16), HasSubstr("stride")) << "colours for it would take gigabytes";
     EXPECT_THAT(integer("pairs/bodies", 1, 3), HasSubstr("pairs/bodies")) << "there are three bodies";
     for (const std::size_t place : {0U, 1U, 3U}) EXPECT_THAT(real("clock", place, -1), HasSubstr("clock")) << place;

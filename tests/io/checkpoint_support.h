@@ -7,6 +7,8 @@
 
 #include "io/checkpoint/checkpoint.h"
 #include "io/checkpoint/hdf5_file.h"
+#include "results/history.h"
+#include "step/watch.h"
 
 #include <cstring>
 #include <hdf5.h>
@@ -156,14 +158,22 @@ void advance_by(State<D>& state, int steps) {
     }
 }
 
+/// As a run leaves it that looks at the energy and has halved its time step twice.
 template <int D>
 State<D> state_after(const Case& c, int steps) {
     State<D> state = make_state<D>(c.scene, c.model);
-    advance_by(state, steps);
+    state.step_reductions = 2;
+    state.setback = {Trouble::left_grid, 0.5, {1, 2, 3}, 1};
+    for (int i = 0; i < 2; ++i) {
+        const Totals all = deformable_totals(state, body_totals(state));
+        watch_energy(state, all.kinetic_energy + all.strain_energy, all.mass);
+        advance_by(state, i == 0 ? steps / 2 : steps - steps / 2);
+    }
     return state;
 }
 
-/// What one whole state holds that differs between runs, as bytes.
+/// What one whole state holds that differs between runs, as bytes. By itself, not by visit_state(), which it is to
+/// check.
 template <int D>
 std::map<std::string, std::string> bytes_of(const State<D>& state) {
     std::map<std::string, std::string> all;
@@ -197,6 +207,8 @@ std::map<std::string, std::string> bytes_of(const State<D>& state) {
         add("traction_faces", std::vector<std::int32_t>{face.id, face.particle, face.tile});
     const Ledger& l = state.ledger;
     add("ledger", std::vector<double>{l.external_work, l.contact_work, l.friction_work, l.interface_energy});
+    const EnergyWatch& w = state.energy_watch;
+    add("energy_watch", std::vector<double>{w.initial, w.given, w.lowest, w.external_work, w.contact_work});
     for (const Boundary& boundary : state.boundaries) add("boundaries", boundary.impulse);
     for (const auto& [pair, t] : state.pair_totals) {
         add("pairs", std::vector<std::int32_t>{pair.first, pair.second});
@@ -211,6 +223,12 @@ std::map<std::string, std::string> bytes_of(const State<D>& state) {
     add("clock", std::vector<double>{state.time, state.dt, state.largest_wave_speed, state.since_transfer});
     add_one("step", state.step);
     add_one("transfers", int{state.transfers});
+    add_one("step_reductions", state.step_reductions);
+    if (state.setback) {
+        add("setback", std::vector<int>{static_cast<int>(state.setback->trouble), state.setback->returns});
+        add_one("setback", state.setback->time);
+        add("setback", state.setback->place);
+    }
     return all;
 }
 

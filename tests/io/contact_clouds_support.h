@@ -6,6 +6,10 @@
 #include "results_support.h"
 #include "step/step.h"
 
+#include <cmath>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
 namespace abut::test {
 
 struct Choice {
@@ -83,6 +87,24 @@ std::vector<Index<D>> all_nodes(const State<D>& state) {
         for (int& i : nodes.back()) i -= grid_margin;
     }
     return nodes;
+}
+
+/// The data that a VTK reader finds in a file.
+template <class Reader>
+auto read(const std::filesystem::path& path) {
+    vtkNew<Reader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetErrorCode(), 0u) << path;
+    return vtkSmartPointer<std::remove_pointer_t<decltype(reader->GetOutput())>>(reader->GetOutput());
+}
+
+/// The same bits, NaN included.
+inline void expect_same(double a, double b) {
+    if (std::isnan(b))
+        EXPECT_TRUE(std::isnan(a));
+    else
+        EXPECT_EQ(a, b);
 }
 
 } // namespace abut::test

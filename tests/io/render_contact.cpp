@@ -1,13 +1,9 @@
-// Contact pairs with separations; presets and what results lack; the live picture.
-#include "io/render/contact_arrows.h"
+// Contact pairs of a series; presets and what results lack; the live picture.
 #include "io/render/live_picture.h"
 #include "io/render/render_series.h"
 #include "io/results/pvd.h"
-#include "io/results/write_frame.h"
-#include "render_support.h"
-#include "results_support.h"
+#include "render_contact_support.h"
 
-#include <cmath>
 #include <gmock/gmock.h>
 
 namespace abut::test {
@@ -15,109 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-namespace fs = std::filesystem;
-
-constexpr Bounds box{{0, 0, 0}, {2e-3, 1e-3, 0}};
-
-/// Body 0 fills the left half of the box, body 1 the right one.
-PointFrame particles(double time = 0) {
-    PointFrame frame;
-    frame.time = time;
-    frame.points = {0.5e-3, 0.5e-3, 0, 1.5e-3, 0.5e-3, 0};
-    frame.arrays = {{"half_size", 3, std::vector<double>{0.5e-3, 0.5e-3, 0, 0.5e-3, 0.5e-3, 0}},
-                    {"body", 1, std::vector<std::int32_t>{0, 1}},
-                    {"von_mises_stress", 1, std::vector<double>{1e6, 2e6}},
-                    {"strain_energy_density", 1, std::vector<double>{0, 3e3}}};
-    frame.words = {{"body_names", {"left", "right"}}};
-    return frame;
-}
-
-/// Pairs up the middle: in contact overlapping by 2 um, in contact with 1 um between, and two apart by 30 um; normals
-/// to the right.
-PointFrame contacts() {
-    PointFrame frame;
-    frame.points = {1e-3, 0.2e-3, 0, 1e-3, 0.4e-3, 0, 1e-3, 0.6e-3, 0, 1e-3, 0.8e-3, 0};
-    frame.arrays = {{"normal", 3, std::vector<double>{1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}},
-                    {"separation", 1, std::vector<double>{-2e-6, 1e-6, 30e-6, 30e-6}},
-                    {"in_contact", 1, std::vector<std::int32_t>{1, 1, 0, 0}},
-                    {"body_a", 1, std::vector<std::int32_t>{0, 0, 0, 0}},
-                    {"body_b", 1, std::vector<std::int32_t>{1, 1, 1, 1}}};
-    return frame;
-}
-
-fs::path write_series(const TemporaryFolder& folder) {
-    write_particles(folder / "p0.vtu", particles());
-    PvdSeries{folder / "particles.pvd", {}}.append(0, "p0.vtu");
-    write_contact(folder / "c0.vtp", contacts());
-    PvdSeries{folder / "contact.pvd", {}}.append(0, "c0.vtp");
-    GridFrame grid;
-    grid.nodes = {3, 2, 1};
-    grid.spacing = {1e-3, 1e-3, 1e-3};
-    write_grid(folder / "g0.vti", grid);
-    PvdSeries{folder / "grid.pvd", {}}.append(0, "g0.vti");
-    return folder.path;
-}
-
-Layout contact_layout(const ColourScale& scale) {
-    return make_layout(box, 1000, 0, std::max(panel_width(scale, 1), arrow_key_width(1)));
-}
-
-TEST(RenderContact, ArrowsHaveTheColoursOfSeparations) {
-    TemporaryFolder folder;
-    RenderOptions options;
-    options.preset = "contact";
-    const Image image(render_series(write_series(folder), options).at(0));
-    ColourScale scale = separation_scale(std::pair(-2e-6, 1e-6), false); // of the pairs in contact
-    EXPECT_DOUBLE_EQ(scale.lower, -2e-6);
-    EXPECT_DOUBLE_EQ(scale.upper, 2e-6);
-    EXPECT_EQ(scale.unit, "µm");
-    const Layout layout = contact_layout(scale);
-    const auto at = [&](double y_mm, double right, double up = 0) {
-        const double point[3] = {1e-3, y_mm * 1e-3, 0};
-        const Pixel p = layout.view.pixel(point);
-        return image.at({p[0] + right, p[1] + up});
-    };
-    EXPECT_EQ(at(0.2, 8), map_colour(ColourMap::diverging, 0));
-    EXPECT_EQ(at(0.4, 8), map_colour(ColourMap::diverging, 0.75));
-    EXPECT_EQ(at(0.6, 8)[0], map_colour(ColourMap::diverging, 1)[0]); // beyond: the end's colour
-    // Arrows point to body_b; pale bodies elsewhere; only pairs in contact have the thickness of a bold arrow.
-    for (const double y : {0.2, 0.4, 0.6}) EXPECT_EQ(at(y, -5), lighter(body_colour(0), 0.7)) << y;
-    EXPECT_EQ(at(0.2, 8, 1.7), map_colour(ColourMap::diverging, 0));
-    EXPECT_EQ(at(0.6, 8, 4), lighter(body_colour(1), 0.7));
-    EXPECT_LT(at(0.2, 8, 2.9)[2], 170); // the dark edge; blue both within and without
-    EXPECT_TRUE(image.is_white_at_the_edges());
-}
-
-TEST(RenderContact, ArrowsAreNoLongerThanNodesAreApart) {
-    const ColourScale scale = separation_scale(std::pair(-1.0, 1.0), true);
-    Layout layout = contact_layout(scale);
-    const auto longest = [&](double spacing) {
-        PointFrame frame = contacts();
-        for (std::size_t i = 0; i < 4; ++i) frame.points[3 * i + 1] = 1e-4 + spacing * static_cast<double>(i);
-        Picture picture;
-        add_separations(picture, frame, layout, scale);
-        double reach = 0;
-        const Pixel node = layout.view.pixel(frame.points.data());
-        for (const Pixel& corner : picture.quads.corners) reach = std::max(reach, corner[0] - node[0]);
-        return reach;
-    };
-    const double pixel = 1 / layout.view.scale;
-    EXPECT_NEAR(longest(16 * pixel), 16, 3); // and its edge
-    EXPECT_NEAR(longest(100 * pixel), 25, 4);
-    EXPECT_NEAR(longest(1 * pixel), 10, 2); // still to be seen
-}
-
-TEST(RenderContact, NoPairsGiveAPicture) {
-    TemporaryFolder folder;
-    const fs::path results = write_series(folder);
-    PointFrame none = contacts();
-    none.points.clear();
-    for (Array& array : none.arrays) std::visit([](auto& values) { values.clear(); }, array.values);
-    write_contact(folder / "c0.vtp", none);
-    RenderOptions options;
-    options.preset = "contact";
-    EXPECT_EQ(render_series(results, options).size(), 1u);
-}
 
 TEST(RenderContact, FramesWithoutPairsOfTheirTimeAreLeftOutOrRefused) {
     TemporaryFolder folder;

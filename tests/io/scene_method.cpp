@@ -23,6 +23,10 @@ TEST(SceneMethod, Words) {
                                                                     {"usavg+", StressUpdate::usavg_plus}};
     for (const auto& [word, update] : updates)
         EXPECT_EQ(method(R"({"stress_update": ")" + word + "\"}").stress_update, update) << word;
+    EXPECT_EQ(method("{}").deformation_increment, DeformationIncrement::exponential);
+    EXPECT_EQ(method(R"({"deformation_increment": "linear"})").deformation_increment, DeformationIncrement::linear);
+    EXPECT_EQ(method(R"({"deformation_increment": "exponential"})").deformation_increment,
+              DeformationIncrement::exponential);
 }
 
 TEST(SceneMethod, Transfer) {
@@ -47,18 +51,41 @@ TEST(SceneMethod, WhatGoesTogether) {
     expect_problems({
         {at, R"({"scheme": "fmpm", "position": "start-velocity"})", at + "/position", "does not go with \"fmpm\""},
         {at, R"({"scheme": "xpic", "position": "mean-velocity"})", at + "/position", "does not go with \"xpic\""},
+        {at, R"({"scheme": "flip", "position": "mean-velocity"})", at + "/position", "\"flip\" has its own rule"},
+        {at, R"({"scheme": "flip", "position": "start-velocity"})", at + "/position", "only \"end-velocity\""},
         {at, R"({"scheme": "pic", "order": 3})", at + "/order", "here it is \"pic\""},
         {"/method/velocity_conditions", R"("lumped")", "/method/velocity_conditions", "\"fmpm\" only"},
     });
     const std::vector<std::string> good{
-        R"({"scheme": "fmpm", "position": "end-velocity"})", R"({"scheme": "pic", "position": "mean-velocity"})",
-        R"({"scheme": "xpic", "position": "start-velocity"})", R"({"scheme": "fmpm", "every_cfl": 0.4})"};
+        R"({"scheme": "flip", "position": "end-velocity"})", R"({"scheme": "fmpm", "position": "end-velocity"})",
+        R"({"scheme": "pic", "position": "mean-velocity"})", R"({"scheme": "xpic", "position": "start-velocity"})",
+        R"({"scheme": "fmpm", "every_cfl": 0.4})"};
     for (const std::string& transfer : good)
         EXPECT_THAT(problems_of(changed(at, transfer)), testing::IsEmpty()) << transfer;
 }
 
 std::vector<Problem> advice_on(const std::string& method, const std::string& wall) {
     return advice(load(changed("/boundaries/1/wall", wall, changed("/method", method, changed("/contact", "")))).scene);
+}
+
+/// growth = exp(½ ω² Δt T) − 1
+TEST(SceneMethod, AdviceForBodiesThatSpin) {
+    const auto spinning = [](const std::string& spin, const std::string& method) {
+        return advice(
+            load(changed("/bodies/1/angular_velocity", spin, changed("/method", method, changed("/contact", ""))))
+                .scene);
+    };
+    EXPECT_THAT(spinning("0", "{}"), testing::IsEmpty());
+    EXPECT_THAT(spinning("1e5", "{}"), testing::IsEmpty());
+    const auto fast = spinning("-1e7", "{}");
+    EXPECT_THAT(fast, testing::ElementsAre(IsProblem("/method", "\"ball\" spins by ")));
+    EXPECT_THAT(fast, testing::ElementsAre(IsProblem("/method", "24 turns in all")));
+    EXPECT_THAT(spinning("1e7", R"({"deformation_increment": "linear"})"),
+                testing::ElementsAre(IsProblem("/method", "use \"position\": \"end-velocity\" in")));
+    EXPECT_THAT(spinning("1e7", R"({"deformation_increment": "linear", "transfer": {"position": "end-velocity"}})"),
+                testing::IsEmpty());
+    EXPECT_THAT(spinning("1e7", R"({"transfer": {"scheme": "xpic", "order": 2}})"),
+                testing::ElementsAre(IsProblem("/method", "use \"deformation_increment\": \"linear\", or smaller")));
 }
 
 TEST(SceneMethod, Advice) {

@@ -78,6 +78,7 @@ inline const std::string example_3d = R"({
     "shape": "b2gimp",
     "transfer": { "scheme": "fmpm", "order": 4, "position": "mean-velocity", "every_cfl": 0.6 },
     "stress_update": "usavg+",
+    "deformation_increment": "exponential",
     "velocity_conditions": "lumped"
   },
   "materials": { "clay": { "model": "linear-elastic", "density": 1500, "youngs_modulus": "1 MPa",
