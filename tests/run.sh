@@ -7,42 +7,54 @@ source .ci/phase.sh
 
 usage() {
     cat <<'END'
-usage: tests/run.sh [--full] [--no-paraview] [--asan] [--tsan] [--fuzz [SECONDS]] [--tidy]
+usage: tests/run.sh [--full] [--no-paraview] [--no-sanitizers] [--asan] [--tsan] [--fuzz [SECONDS]] [--tidy]
 
 Installs the packages that are missing (Debian 12) and ParaView, checks the format of the sources, builds abut and its tests in
-build/release with warnings as errors, and runs the tests (all but the published cases at full size).
+build/release with warnings as errors, and runs the tests (all but the published cases at full size); then does what --fuzz and
+--tsan do, and runs the contact scenes of the tests of threads under the address and undefined-behaviour sanitizers.
 
   --full  also the published cases at full size (hours)
   --no-paraview  does not install ParaView (0.7 GB); its test is skipped if it isn't there
-  --asan  instead: the tests under the address and undefined-behaviour sanitizers, in build/asan
-  --tsan  instead: contact scenes on several threads under the thread sanitizer, in build/tsan; installs clang 14
-  --fuzz [SECONDS]  instead: all readers of files get inputs that libFuzzer invents, SECONDS each (20), in build/fuzz;
-          installs clang 14; see tests/fuzz/README.md
+  --no-sanitizers  leaves out the sanitizers and the fuzzing
+  --asan  instead: the tests of the solver, of images and shapes and of files under the address and undefined-behaviour
+          sanitizers, in build/asan
+  --fuzz [SECONDS]  instead: all readers of files get inputs that libFuzzer invents, SECONDS each (15), in build/asan; see
+          tests/fuzz/README.md
+  --tsan  instead: contact scenes on several threads under the thread sanitizer, in build/tsan
   --tidy  instead: clang-tidy over the libraries and the program, in build/tidy; installs clang-tidy
   --help  this text
+
+--asan, --fuzz and --tsan can be combined. They, and a run without any of them, install clang 14.
 END
 }
 
 full=no
 paraview=yes
-preset=release
-fuzz_seconds=20
+release=yes
+asan=yes fuzz=yes tsan=yes
+tidy=no
+fuzz_seconds=15
+only() { # the first of --asan, --fuzz and --tsan leaves all else out
+    [[ $release == yes ]] && release=no asan=no fuzz=no tsan=no
+    printf -v "$1" yes
+}
 while (($# > 0)); do
     argument=$1
     shift
     case $argument in
         --full) full=yes ;;
         --no-paraview) paraview=no ;;
-        --asan) preset=asan ;;
-        --tsan) preset=tsan ;;
+        --no-sanitizers) asan=no fuzz=no tsan=no ;;
+        --asan) only asan ;;
+        --tsan) only tsan ;;
         --fuzz)
-            preset=fuzz
+            only fuzz
             if [[ ${1:-} =~ ^[0-9]+$ ]]; then
                 fuzz_seconds=$1
                 shift
             fi
             ;;
-        --tidy) preset=tidy ;;
+        --tidy) tidy=yes ;;
         -h | --help)
             usage
             exit 0
@@ -55,9 +67,11 @@ while (($# > 0)); do
     esac
 done
 
-build() { # PRESET CMAKE_OPTIONS...
+configure() { # PRESET CMAKE_OPTIONS...
     phase "Configuring build/$1" cmake --preset "$@"
-    phase "Building build/$1" cmake --build --preset "$1" -j"$(nproc)"
+}
+build() { # PRESET TARGETS...; without targets, those of the preset
+    phase "Building build/$1" cmake --build --preset "$1" -j"$(nproc)" ${2:+--target "${@:2}"}
 }
 
 # Other versions of clang-format than Debian 12's break lines differently.
@@ -70,44 +84,53 @@ format() {
         xargs -0 clang-format --dry-run -Werror --style=file
 }
 
-if [[ $preset == tidy ]]; then
+if [[ $tidy == yes ]]; then
     phase "Packages" bash .ci/setup.sh clang-tidy libomp-dev # clang's own omp.h
+    configure tidy
     build tidy
     exit
 fi
 
-clang=(clang-14 libclang-rt-14-dev libomp-14-dev)
-if [[ $preset == fuzz ]]; then
-    phase "Packages" bash .ci/setup.sh "${clang[@]}"
-    build fuzz -DABUT_WERROR=ON
-    phase "Fuzzing, $fuzz_seconds s a target" tests/fuzz/run.sh "$fuzz_seconds"
-    exit
-fi
-if [[ $preset == tsan ]]; then
-    phase "Packages" bash .ci/setup.sh "${clang[@]}"
-    build tsan -DABUT_WERROR=ON
-    # Archer tells the sanitizer of OpenMP's barriers; libomp itself has no instrumentation.
-    KMP_BLOCKTIME=0 OMP_TOOL_LIBRARIES=/usr/lib/llvm-14/lib/libarcher.so TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1" \
-        phase "Contact scenes under the thread sanitizer" build/tsan/tests/test_stability --gtest_filter='Threads.*ShortRun*'
-    exit
+packages=()
+[[ $asan$fuzz$tsan == *yes* ]] && packages=(clang-14 libclang-rt-14-dev libomp-14-dev)
+phase "Packages" bash .ci/setup.sh "${packages[@]}"
+
+if [[ $release == yes ]]; then
+    [[ $paraview == yes ]] && phase "ParaView" bash .ci/paraview.sh
+    badly_formatted=no
+    format_or_note() { format || badly_formatted=yes; }
+    phase "Format of the sources" format_or_note
+    configure release -DABUT_WERROR=ON -DABUT_TESTS=ON -DABUT_BENCHMARKS=ON
+    build release
+    if [[ $full == yes ]]; then # these share no cores
+        phase "Published cases at full size" ctest --preset release -L full --no-tests=ignore
+    fi
+    # One thread a test, as many tests at a time as there are cores. Tests of threading choose their own numbers; threads
+    # that wait must not spin then.
+    OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive phase "Tests" ctest --preset release -LE full -j"$(nproc)"
+    if [[ $badly_formatted == yes ]]; then
+        echo "run.sh: some sources are not formatted, see above; clang-format -i FILE corrects them" >&2
+        exit 1
+    fi
 fi
 
-phase "Packages" bash .ci/setup.sh
-if [[ $preset == release && $paraview == yes ]]; then
-    phase "ParaView" bash .ci/paraview.sh
+# === Sanitizers
+if [[ $asan$fuzz == *yes* ]]; then configure asan -DABUT_WERROR=ON; fi
+if [[ $asan == yes ]]; then
+    suites=(test_threads)
+    # These take as long to compile as all libraries together.
+    [[ $release == no ]] && suites+=(test_core test_geometry test_io)
+    build asan "${suites[@]}"
+    phase "Tests under the address and undefined-behaviour sanitizers" tests/sanitized.sh "${suites[@]}"
 fi
-badly_formatted=no
-format_or_note() { format || badly_formatted=yes; }
-phase "Format of the sources" format_or_note
-build "$preset" -DABUT_WERROR=ON -DABUT_TESTS=ON -DABUT_BENCHMARKS=ON
-if [[ $full == yes ]]; then # these share no cores
-    phase "Published cases at full size" ctest --preset "$preset" --output-on-failure -L full --no-tests=ignore
+if [[ $fuzz == yes ]]; then
+    build asan fuzz
+    phase "Fuzzing, $fuzz_seconds s a target" tests/fuzz/run.sh "$fuzz_seconds"
 fi
-# One thread a test, as many tests at a time as there are cores. Tests of threading choose their own numbers; threads
-# that wait must not spin then.
-printf '\n== Tests\n'
-OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive ctest --preset "$preset" --output-on-failure -LE full -j"$(nproc)"
-if [[ $badly_formatted == yes ]]; then
-    echo "run.sh: some sources are not formatted, see above; clang-format -i FILE corrects them" >&2
-    exit 1
+if [[ $tsan == yes ]]; then
+    configure tsan -DABUT_WERROR=ON
+    build tsan
+    # Archer tells the sanitizer of OpenMP's barriers; libomp itself has no instrumentation.
+    KMP_BLOCKTIME=0 OMP_TOOL_LIBRARIES=/usr/lib/llvm-14/lib/libarcher.so TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1" \
+        phase "Contact scenes under the thread sanitizer" build/tsan/tests/test_threads --gtest_filter='*ShortRun*'
 fi

@@ -139,14 +139,14 @@ double add_colour_bar(Picture& picture, const Layout& layout, const ColourScale&
     for (int step = 0; step < steps; ++step)
         picture.quads.add_rectangle({left, low + step}, {right, low + step + 1},
                                     map_colour(scale.map, (step + 0.5) / (high - low)));
-    for (const bool top : {false, true}) {
-        const double end = top ? high : low;
-        if (!(top ? scale.above : scale.below)) {
+    for (const bool upper : {false, true}) {
+        const double end = upper ? high : low;
+        if (!(upper ? scale.above : scale.below)) {
             add_line(picture.quads, {left, end}, {right, end}, unit, faint);
             continue;
         }
-        const Pixel peak{(left + right) / 2, end + (top ? tip : -tip)};
-        picture.quads.add({left, end}, {right, end}, peak, peak, map_colour(scale.map, top ? 1 : 0));
+        const Pixel peak{(left + right) / 2, end + (upper ? tip : -tip)};
+        picture.quads.add({left, end}, {right, end}, peak, peak, map_colour(scale.map, upper ? 1 : 0));
         add_line(picture.quads, {left, end}, peak, unit, faint);
         add_line(picture.quads, {right, end}, peak, unit, faint);
     }

@@ -20,7 +20,7 @@ struct BoxShape {
 
     template <int D>
     static Window<D> window(const Grid<D>& grid, const Domain<D>& p) {
-        const Vec<D> r = HalfSize::of(p).cwiseProduct(grid.inverse_cell);
+        const Vec<D> r = HalfSize::of(p).cwiseProduct(grid.inverse_cell).cwiseMin(farthest);
         const Vec<D> x = grid.lattice_position(p.position);
         Window<D> w;
         for (int a = 0; a < D; ++a) {

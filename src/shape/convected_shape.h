@@ -3,6 +3,8 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+
 namespace abut {
 
 /// CPDI: grid functions interpolated within the deformed particle domain from its corners (FMPM paper §2.1,
@@ -31,7 +33,7 @@ struct ConvectedShape {
             double reach = 0;
             for (int b = 0; b < D; ++b) reach += std::abs(p.deformation_gradient(a, b)) * p.half_size[b];
             const double x = (p.position[a] - grid.origin[a]) * grid.inverse_cell[a];
-            const double r = reach * grid.inverse_cell[a];
+            const double r = std::min(farthest, reach * grid.inverse_cell[a]);
             // Round-off in a corner's position must not carry it across the window's edge.
             constexpr double slack = 1e-9;
             w.lower[a] = Function::first_node(x - r - slack);

@@ -66,7 +66,11 @@ constexpr int power(int base, int exponent) {
     return x;
 }
 
-/// Largest integer not above x; as fast as a conversion.
+/// No domain is taken to reach farther [cells]: nodes beyond could not be counted by an int, and a domain that reaches
+/// beyond the grid is refused wherever it ends.
+constexpr double farthest = 1e8;
+
+/// Largest integer not above x; as fast as a conversion. \pre |x| < 2^31
 inline int floor_int(double x) {
     const int i = static_cast<int>(x);
     return i - (x < i);

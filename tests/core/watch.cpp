@@ -107,6 +107,18 @@ TEST(Watch, NamesTheParticleWhoseDomainLeavesTheGrid) {
         AllOf(HasSubstr("particle 70 of body \"upper\""), HasSubstr("domain reaches out of the grid")));
 }
 
+/// Found by fuzzing checkpoints: nodes that no int can count wrapped around, and the domain passed for a small one.
+TEST(Watch, NamesTheParticleWhoseDomainReachesFartherThanIntegers) {
+    for (const ShapeKind shape : {ShapeKind::cpdi, ShapeKind::gimp})
+        for (const double stretch : {1e10, 1e18, 1e300})
+            EXPECT_THAT(said(
+                            Trouble::domain_left_grid,
+                            [&](auto& s, auto p) { s.particles.deformation_gradient[p](0, 0) = stretch; },
+                            [&](Scene& scene) { scene.method.shape = shape; }),
+                        AllOf(HasSubstr("particle 70 of body \"upper\""), HasSubstr("domain reaches out of the grid")))
+                << static_cast<int>(shape) << ", " << stretch;
+}
+
 TEST(Watch, NamesTheStiffestParticleIfAFixedStepIsTooLarge) {
     State<2> state = two_blocks([](Scene& scene) { scene.time.step = 0.05; });
     steps(state, 2);

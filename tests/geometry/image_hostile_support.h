@@ -1,6 +1,7 @@
 #pragma once
 /// Time and memory that reading a file takes.
 
+#include "sanitizer_memory.h"
 #include "support.h"
 
 #include <gmock/gmock.h>
@@ -42,11 +43,6 @@ private:
     }
 };
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr long sanitizer_keeps = 256 + 64; // [MiB] freed memory that it keeps to find uses of it, and its shadow
-#else
-constexpr long sanitizer_keeps = 0;
-#endif
 constexpr long most_growth = 100 + sanitizer_keeps; ///< [MiB] over thousands of files
 
 /// Reads a file that lies about itself; it must be refused without work or memory.

@@ -1,5 +1,6 @@
 /// Damaged and hostile checkpoints: always a std::runtime_error that names the file, and a state left as it was.
 #include "checkpoint_support.h"
+#include "sanitizer_memory.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -250,11 +251,7 @@ TEST_F(HostileCheckpoint, OtherFilesAreRefused) {
     EXPECT_THAT(refusal(), HasSubstr("is no checkpoint of abut"));
 }
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr long sanitizer_keeps = 256 + 64; // [MiB] freed memory that it keeps to find uses of it, and its shadow
-#else
-constexpr long sanitizer_keeps = 0;
-#endif
+using ::test::sanitizer_keeps;
 
 long peak_mebibytes() {
     rusage usage{};
