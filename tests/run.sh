@@ -7,15 +7,15 @@ source .ci/phase.sh
 
 usage() {
     cat <<'END'
-usage: tests/run.sh [--full] [--no-paraview] [--no-sanitizers] [--asan] [--tsan] [--fuzz [SECONDS]] [--tidy]
+usage: tests/run.sh [--full] [--no-paraview] [--sanitizers] [--asan] [--tsan] [--fuzz [SECONDS]] [--tidy]
 
 Installs the packages that are missing (Debian 12) and ParaView, checks the format of the sources, builds abut and its tests in
-build/release with warnings as errors, and runs the tests (all but the published cases at full size); then does what --fuzz and
---tsan do, and runs the contact scenes of the tests of threads under the address and undefined-behaviour sanitizers.
+build/release with warnings as errors, and runs the tests (all but the published cases at full size).
 
   --full  also the published cases at full size (hours)
   --no-paraview  does not install ParaView (0.7 GB); its test is skipped if it isn't there
-  --no-sanitizers  leaves out the sanitizers and the fuzzing
+  --sanitizers  then also what --fuzz and --tsan do, and the contact scenes of the tests of threads under the address and
+          undefined-behaviour sanitizers
   --asan  instead: the tests of the solver, of images and shapes and of files under the address and undefined-behaviour
           sanitizers, in build/asan
   --fuzz [SECONDS]  instead: all readers of files get inputs that libFuzzer invents, SECONDS each (15), in build/asan; see
@@ -24,18 +24,18 @@ build/release with warnings as errors, and runs the tests (all but the published
   --tidy  instead: clang-tidy over the libraries and the program, in build/tidy; installs clang-tidy
   --help  this text
 
---asan, --fuzz and --tsan can be combined. They, and a run without any of them, install clang 14.
+--asan, --fuzz and --tsan can be combined. They, and --sanitizers, install clang 14.
 END
 }
 
 full=no
 paraview=yes
 release=yes
-asan=yes fuzz=yes tsan=yes
+asan=no fuzz=no tsan=no
 tidy=no
 fuzz_seconds=15
 only() { # the first of --asan, --fuzz and --tsan leaves all else out
-    [[ $release == yes ]] && release=no asan=no fuzz=no tsan=no
+    [[ $release == yes ]] && release=no asan=no fuzz=no tsan=no # whatever --sanitizers has said before
     printf -v "$1" yes
 }
 while (($# > 0)); do
@@ -44,7 +44,7 @@ while (($# > 0)); do
     case $argument in
         --full) full=yes ;;
         --no-paraview) paraview=no ;;
-        --no-sanitizers) asan=no fuzz=no tsan=no ;;
+        --sanitizers) asan=yes fuzz=yes tsan=yes ;;
         --asan) only asan ;;
         --tsan) only tsan ;;
         --fuzz)

@@ -45,7 +45,44 @@ void enter(CloudSeries& series, const std::filesystem::path& folder, const std::
     }
 }
 
+/// The table beside the clouds or planes of an entry.
+std::string table_beside(const std::string& file) {
+    const std::size_t begin = file.find('_');
+    return "node" + file.substr(begin, file.rfind('.') - begin) + ".csv";
+}
+
 } // namespace
+
+CloudSeries read_cloud_series(const std::filesystem::path& results) {
+    CloudSeries series;
+    const std::filesystem::path folder = results / "clouds";
+    if (!std::filesystem::is_directory(folder)) return series;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().stem().string();
+        if (entry.path().extension() == ".pvd" && (name.starts_with("cloud_") || name.starts_with("plane_")))
+            series.by_name.emplace(name, read_pvd(entry.path()));
+    }
+    return series;
+}
+
+void cut_cloud_series(CloudSeries& series, double time) {
+    for (auto& [name, pvd] : series.by_name) {
+        const std::size_t before = pvd.entries.size();
+        const std::string kind = name.substr(0, name.find('_') + 1);
+        while (!pvd.entries.empty() && pvd.entries.back().time > time) {
+            const std::string file = pvd.entries.back().file;
+            pvd.entries.pop_back();
+            if (!file.starts_with(kind) || file.find('/') != std::string::npos) continue; // not by this program
+            std::filesystem::remove(pvd.path.parent_path() / file);
+            std::filesystem::remove(pvd.path.parent_path() / table_beside(file));
+        }
+        if (pvd.entries.empty())
+            std::filesystem::remove(pvd.path);
+        else if (pvd.entries.size() < before)
+            pvd.write();
+    }
+    std::erase_if(series.by_name, [](const auto& one) { return one.second.entries.empty(); });
+}
 
 template <int D>
 void write_contact_clouds(State<D>& state, const std::filesystem::path& results, int frame, CloudSeries& series) {

@@ -1,6 +1,7 @@
 #include "io/results/csv.h"
 
 #include <fmt/format.h>
+#include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -20,6 +21,12 @@ void append_cell(std::string& buffer, std::int64_t value) {
     fmt::format_to(std::back_inserter(buffer), "{}", value);
 }
 
+std::string header(const std::vector<std::string>& columns) {
+    std::string line;
+    for (const std::string& name : columns) line += (line.empty() ? "" : ",") + csv_cell(name);
+    return line + '\n';
+}
+
 } // namespace
 
 std::string csv_cell(std::string_view text) {
@@ -33,12 +40,7 @@ std::string csv_cell(std::string_view text) {
 }
 
 CsvTable::CsvTable(const std::filesystem::path& path, const std::vector<std::string>& columns)
-    : file_(path), columns_(columns.size()) {
-    for (const std::string& name : columns) {
-        append_cell(buffer_, std::string_view(name));
-        buffer_ += ',';
-    }
-    end_row(columns.size());
+    : file_(path), columns_(columns.size()), buffer_(header(columns)) {
     flush();
 }
 
@@ -81,6 +83,32 @@ void CsvTable::flush() {
     const std::string rows = std::exchange(buffer_, {}); // a failed write is reported once, not again by the destructor
     file_.write(rows);
     bytes_ += rows.size();
+}
+
+void CsvTable::sync() {
+    flush();
+    file_.sync();
+}
+
+void check_continued(const std::filesystem::path& path, const std::vector<std::string>& columns, std::uintmax_t bytes) {
+    const auto refuse = [&](const std::string& what) {
+        throw std::runtime_error(fmt::format("{}: {}; put back the table that the run had written, or start anew with "
+                                             "--overwrite",
+                                             path.string(), what));
+    };
+    if (!std::filesystem::exists(path)) refuse(fmt::format("no such file, and the run has {} bytes in it", bytes));
+    if (!std::filesystem::is_regular_file(path)) refuse("is no regular file");
+    const std::uintmax_t size = std::filesystem::file_size(path);
+    if (size < bytes) refuse(fmt::format("has {} bytes instead of at least {}: it has been changed", size, bytes));
+    const std::string expected = header(columns);
+    std::string found(expected.size(), ' ');
+    char last = 0;
+    std::ifstream file(path, std::ios::binary);
+    file.read(found.data(), static_cast<std::streamsize>(found.size()));
+    if (!file || found != expected) refuse("has other columns than this run");
+    file.seekg(static_cast<std::streamoff>(bytes) - 1);
+    if (!file.get(last) || last != '\n')
+        refuse(fmt::format("no row ends after {} bytes, where the run goes on: it has been changed", bytes));
 }
 
 } // namespace abut

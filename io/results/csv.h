@@ -27,7 +27,7 @@ public:
 
     /// Creates or replaces the file and writes the header.
     CsvTable(const std::filesystem::path& path, const std::vector<std::string>& columns);
-    /// Goes on with a file that is there after its first `bytes`; what follows is cut off.
+    /// Goes on with a file that is there after its first `bytes`; what follows is cut off. See check_continued().
     CsvTable(const std::filesystem::path& path, const std::vector<std::string>& columns, std::uintmax_t bytes);
     CsvTable(CsvTable&&) noexcept = default;
     CsvTable& operator=(CsvTable&&) noexcept = default;
@@ -38,6 +38,7 @@ public:
     void row(std::initializer_list<Value> values) { row(std::span(values.begin(), values.size())); }
     void row(std::span<const double> values);
     void flush();
+    void sync();                                                     ///< waits until all rows are on the disk
     std::uintmax_t bytes() const { return bytes_ + buffer_.size(); } ///< of the file after a flush
 
 private:
@@ -48,5 +49,9 @@ private:
     std::uintmax_t bytes_ = 0; ///< in the file
     std::string buffer_;
 };
+
+/// Whether a table can go on after its first `bytes`: it has the columns, and a row ends there. Changes nothing. Throws
+/// std::runtime_error naming the file, what is wrong with it and what to do.
+void check_continued(const std::filesystem::path& path, const std::vector<std::string>& columns, std::uintmax_t bytes);
 
 } // namespace abut

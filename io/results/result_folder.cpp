@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <sys/file.h>
+#include <unistd.h>
 #include <utility>
 
 namespace abut {
@@ -121,11 +125,33 @@ void remove_own_files(const fs::path& folder, const std::vector<fs::path>& input
 
 } // namespace
 
-void prepare_result_folder(const fs::path& folder, bool overwrite, const std::vector<fs::path>& inputs) {
+FolderLock::FolderLock(const fs::path& folder)
+    : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    // Some network file systems have no locks for folders: there runs are not kept apart.
+    if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    ::close(std::exchange(descriptor_, -1));
+    throw std::runtime_error(folder.string() +
+                             ": another run writes to this folder (or was stopped by Ctrl-Z); wait for "
+                             "its end, or name another folder");
+}
+
+FolderLock::FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+}
+
+FolderLock::~FolderLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+FolderLock prepare_result_folder(const fs::path& folder, bool overwrite, const std::vector<fs::path>& inputs) {
     try {
         if (fs::exists(folder) && !fs::is_directory(folder))
             throw std::runtime_error(folder.string() + ": is a file; name a folder for the results");
         fs::create_directories(folder);
+        FolderLock lock(folder);
         if (!fs::is_empty(folder) && !overwrite)
             throw std::runtime_error(
                 folder.string() +
@@ -137,6 +163,7 @@ void prepare_result_folder(const fs::path& folder, bool overwrite, const std::ve
         OutputFile(probe, folder).close();
         fs::remove(probe);
         if (!fs::is_empty(folder)) remove_own_files(folder, inputs);
+        return lock;
     } catch (const fs::filesystem_error& error) {
         throw std::runtime_error(fmt::format("{}: {}", error.path1().string(), error.code().message()));
     }

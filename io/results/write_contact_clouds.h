@@ -50,6 +50,11 @@ struct CloudSeries {
     std::map<std::string, PvdSeries> by_name;
 };
 
+/// The series of clouds that are in a result folder. Throws as read_pvd().
+CloudSeries read_cloud_series(const std::filesystem::path& results);
+/// Takes the entries after `time` out of the series and removes their files, for a run that goes on from there.
+void cut_cloud_series(CloudSeries& series, double time);
+
 /// What `output.contact_clouds` of the scene asks for (which must be given), to RESULTS/clouds: three files for each
 /// chosen node, and three for all nodes in disagreement together (cloud_FRAME.vtu, …); series for ParaView for each
 /// choice, which continue those in `series` (and at their first frame those on the disk): cloud_I_J.pvd,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,34 @@ const char* const file_name = "checkpoint.h5";
 
 std::string described(const std::filesystem::path& file, std::int64_t step, double time) {
     return fmt::format("{} (step {}, {:g} s)", file.string(), step, time);
+}
+
+/// \throws UsageError that says what has changed
+void check_same_scene(const std::filesystem::path& file, const CheckpointHead& head, const std::string& resolved_scene,
+                      std::uint64_t checksum) {
+    constexpr std::size_t most = 10;
+    std::vector<std::string> changes = forbidden_changes(head.resolved_scene, resolved_scene);
+    if (!changes.empty()) {
+        const bool of_step = std::any_of(changes.begin(), changes.end(), [](const std::string& change) {
+            return change.starts_with("/time/cfl:") || change.starts_with("/time/step:");
+        });
+        if (changes.size() > most) {
+            const std::size_t more = changes.size() - most;
+            changes.resize(most);
+            changes.push_back(fmt::format("and {} more", more));
+        }
+        throw UsageError(fmt::format("{}: the scene has changed since, and only `time/end`, `time/on_trouble`, "
+                                     "`time/limits`, `output` and where files lie may:\n  {}{}",
+                                     file.string(), fmt::join(changes, "\n  "),
+                                     of_step
+                                         ? "\n  (--set /time/on_trouble=shrink-step halves the step of a resumed run "
+                                           "where it must; another step needs a run of its own)"
+                                         : ""));
+    }
+    if (head.checksum != checksum)
+        throw UsageError(fmt::format("{}: the scene gives other particles than then; has an image or another file that "
+                                     "it names been changed?",
+                                     file.string()));
 }
 
 } // namespace
@@ -37,7 +66,7 @@ bool Checkpoints::due(const State<D>& state) {
 
 template <int D>
 void Checkpoints::write(const State<D>& state, const OutputProgress& output) {
-    if (!wanted_ || state.step == last_step_) return;
+    if (!lacks(state)) return;
     write_checkpoint(file_, state, output, resolved_scene_, checksum_);
     last_step_ = state.step;
     last_time_ = state.time;
@@ -55,33 +84,26 @@ void Checkpoints::found(const Resumption& from) {
     last_ = described(from.file, from.head.step, from.head.time);
 }
 
-Resumption find_checkpoint(const std::filesystem::path& folder, const std::string& resolved_scene,
-                           std::uint64_t checksum) {
-    Resumption found;
-    std::string problem;
+template <int D>
+Resumption resume_state(const std::filesystem::path& folder, const std::string& resolved_scene, std::uint64_t checksum,
+                        State<D>& state) {
+    std::string problems;
     for (const std::filesystem::path& file : {folder / file_name, previous_checkpoint(folder / file_name)}) {
         if (!std::filesystem::exists(file)) continue;
         try {
-            found = {file, read_checkpoint_head(file)};
-            break;
+            const CheckpointHead head = read_checkpoint_head(file);
+            check_same_scene(file, head, resolved_scene, checksum);
+            return {file, head, read_checkpoint(file, state), problems};
+        } catch (const UsageError&) {
+            throw;
         } catch (const std::runtime_error& error) {
-            problem += (problem.empty() ? "" : "; ") + std::string(error.what());
+            problems += (problems.empty() ? "" : "; ") + std::string(error.what());
         }
     }
-    if (found.file.empty())
-        throw UsageError(problem.empty() ? fmt::format("{}: no {} to resume from; without --resume the run starts anew",
-                                                       folder.string(), file_name)
-                                         : problem);
-    const std::vector<std::string> changes = forbidden_changes(found.head.resolved_scene, resolved_scene);
-    if (!changes.empty())
-        throw UsageError(fmt::format("{}: the scene has changed since, and only `time/end`, `time/on_trouble`, "
-                                     "`time/limits` and `output` may:\n  {}",
-                                     found.file.string(), fmt::join(changes, "\n  ")));
-    if (found.head.checksum != checksum)
-        throw UsageError(fmt::format("{}: the scene gives other particles than then; has an image or another file that "
-                                     "it names been changed?",
-                                     found.file.string()));
-    return found;
+    if (problems.empty())
+        throw UsageError(
+            fmt::format("{}: no {} to resume from; without --resume the run starts anew", folder.string(), file_name));
+    throw UsageError(problems);
 }
 
 template bool Checkpoints::due<2>(const State<2>&);
@@ -90,5 +112,7 @@ template void Checkpoints::go_back<2>(const State<2>&);
 template void Checkpoints::go_back<3>(const State<3>&);
 template void Checkpoints::write<2>(const State<2>&, const OutputProgress&);
 template void Checkpoints::write<3>(const State<3>&, const OutputProgress&);
+template Resumption resume_state<2>(const std::filesystem::path&, const std::string&, std::uint64_t, State<2>&);
+template Resumption resume_state<3>(const std::filesystem::path&, const std::string&, std::uint64_t, State<3>&);
 
 } // namespace abut

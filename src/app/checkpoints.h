@@ -11,6 +11,9 @@ namespace abut {
 struct Resumption {
     std::filesystem::path file;
     CheckpointHead head;
+    OutputProgress output; ///< where the output was
+    /// Why it is not the newest checkpoint, which cannot be read; empty: it is.
+    std::string problem;
 };
 
 /// The checkpoints of a run under way.
@@ -23,7 +26,12 @@ public:
     /// Whether one is due at the present state.
     template <int D>
     bool due(const State<D>& state);
-    /// Writes one, unless the scene wants none or the last is of the same step.
+    /// Whether one can be written: the scene wants them, and the last is of another step.
+    template <int D>
+    bool lacks(const State<D>& state) const {
+        return wanted_ && state.step != last_step_;
+    }
+    /// Writes one, if lacks().
     template <int D>
     void write(const State<D>& state, const OutputProgress& output);
     /// Where the run stands again after it has gone back in time: at a state of which another one may be written.
@@ -50,9 +58,11 @@ private:
     Clock::time_point last_wall_ = Clock::now();
 };
 
-/// The newest checkpoint of a result folder that can be read, for a scene and a model that are the same as then.
-/// \throws UsageError that says what is missing or has changed
-Resumption find_checkpoint(const std::filesystem::path& folder, const std::string& resolved_scene,
-                           std::uint64_t checksum);
+/// Brings a new state to where the newest checkpoint of a result folder was, or to the one before if the newest cannot
+/// be read, for a scene and a model that are the same as then. \throws UsageError that says what is missing or has
+/// changed
+template <int D>
+Resumption resume_state(const std::filesystem::path& folder, const std::string& resolved_scene, std::uint64_t checksum,
+                        State<D>& state);
 
 } // namespace abut

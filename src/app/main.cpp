@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -286,6 +287,10 @@ int main(int argc, char** argv) {
     } catch (const abut::UsageError& error) {
         std::fprintf(stderr, "abut: %s\n", error.what());
         return 2;
+    } catch (const std::filesystem::filesystem_error& error) { // its own words are for programmers
+        const std::filesystem::path& file = error.path2().empty() ? error.path1() : error.path2();
+        std::fprintf(stderr, "abut: %s: %s\n", file.c_str(), error.code().message().c_str());
+        return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "abut: %s\n", error.what());
         return 1;

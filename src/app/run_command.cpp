@@ -60,21 +60,19 @@ double end_time(const RunOptions& options, const Scene& scene) {
 }
 
 /// An unusable result folder is a mistake on the command line, unlike a disk that fills up during the run.
-void make_ready(const std::filesystem::path& folder, const RunOptions& options, const Scene& scene) {
+FolderLock make_ready(const std::filesystem::path& folder, const RunOptions& options, const Scene& scene) {
     std::vector<std::filesystem::path> inputs = input_files(scene);
     inputs.push_back(options.scene.scene);
     try {
-        prepare_result_folder(folder, options.overwrite, inputs);
+        return prepare_result_folder(folder, options.overwrite, inputs);
     } catch (const std::runtime_error& error) {
         throw UsageError(error.what());
     }
 }
 
-/// Brings a new state to where an earlier run's checkpoint was.
-template <int D>
-OutputProgress resume_state(const Resumption& from, State<D>& state) {
+FolderLock lock_results(const std::filesystem::path& folder) {
     try {
-        return read_checkpoint(from.file, state);
+        return FolderLock(folder);
     } catch (const std::runtime_error& error) {
         throw UsageError(error.what());
     }
@@ -111,22 +109,27 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     const std::uint64_t checksum = model_checksum(model);
     Checkpoints checkpoints(folder, loaded.resolved, checksum, loaded.scene.output);
     std::optional<OutputProgress> resumed;
+    const FolderLock lock = options.resume ? lock_results(folder) : make_ready(folder, options, loaded.scene);
     if (options.resume) {
-        const Resumption from = find_checkpoint(folder, loaded.resolved, checksum);
-        resumed = resume_state(from, state);
+        const Resumption from = resume_state(folder, loaded.resolved, checksum, state);
+        if (!from.problem.empty())
+            fmt::print(stderr, "abut: {}; going on from {}, step {}\n", from.problem, from.file.string(),
+                       from.head.step);
+        resumed = from.output;
         checkpoints.found(from);
-    } else {
-        make_ready(folder, options, loaded.scene);
     }
 
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);
+    if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN); // under nohup
     std::vector<Task<D>> tasks = step_tasks<D>(loaded.scene);
     std::optional<RunFiles> files;
     open_files(files, folder, loaded.resolved, state, resumed);
     GoodStates<D> good(loaded.scene.time.on_trouble == OnTrouble::shrink_step);
     Progress progress(options.quiet ? ProgressMode::quiet : ProgressMode::automatic, end);
+    if (resumed) progress.update(state.step, state.time);
     RunTiming timing;
+    timing.resumed_at_step = state.step;
     timing.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
 
     Schedule history(history_interval(loaded.scene));
@@ -164,10 +167,10 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     };
     const auto write_checkpoint = [&] {
         timed([&] {
-            if (good.empty())
-                checkpoints.write(state, output_progress());
-            else
-                checkpoints.write(good.oldest().state, good.oldest().output);
+            const State<D>& saved = good.empty() ? state : good.oldest().state;
+            if (!checkpoints.lacks(saved)) return;
+            files->sync_tables(); // the checkpoint counts on their rows
+            checkpoints.write(saved, good.empty() ? output_progress() : good.oldest().output);
         });
     };
     const auto finish = [&] {
@@ -185,7 +188,10 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     bool cut_short = false;
     const auto run_to_end = [&] {
         const long most_steps = options.steps.value_or(std::numeric_limits<long>::max());
-        while (state.time < end && state.step < most_steps && !interrupted) {
+        bool is_last = false;
+        while (state.time < end && state.step < most_steps && !is_last) {
+            // An interrupt is obeyed after one more step, which then is known to be followed by a row.
+            is_last = interrupted != 0 || state.step + 1 == most_steps;
             if (good.due(state)) good.keep(state, output_progress());
             const double full_step = next_step(state, std::numeric_limits<double>::infinity());
             state.dt = std::min(full_step, end - state.time);
@@ -202,7 +208,7 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
                                             state.dt, state.largest_wave_speed));
             }
             const double after = state.time + state.dt;
-            state.wants_areas = state.effects.pairs && (history.is_due(after) || after >= end);
+            state.wants_areas = state.effects.pairs && (is_last || history.is_due(after) || after >= end);
             advance(state, tasks);
             timing.node_updates += static_cast<long long>(state.fields.size());
             timing.particle_sweeps += sweeps_of_step(state) * static_cast<long long>(state.particles.size());
@@ -243,7 +249,6 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
         checkpoints.go_back(from);
         write_checkpoint();
     };
-    timing.first_step = state.step;
     meter.go_on();
     for (;;) {
         try {
@@ -266,6 +271,9 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
         }
     }
     meter.pause(timing);
+    if (resumed && state.step == timing.resumed_at_step && !options.quiet && !interrupted)
+        fmt::print(stderr, "nothing to do: the run that is resumed has reached {} (step {}) already\n",
+                   format_time(state.time), state.step);
     // Before the rows and frames that only this end of the run calls for.
     if (!cut_short || !good.empty()) write_checkpoint();
     if (!history_written) write_history();

@@ -18,11 +18,6 @@ std::vector<std::string> with_key_columns(std::vector<std::string> keys, const s
     return keys;
 }
 
-/// Where a frame of a series is written, relative to the results' folder.
-std::string frame_file(const RunSeries& series, std::size_t number) {
-    return fmt::format("{0}/{0}_{1:05}.{2}", series.name, number, series.extension);
-}
-
 /// Writes one file of a series and enters it.
 template <class Frame>
 void write_to_series(RunSeries& series, const Frame& frame, Reals reals,
@@ -36,71 +31,17 @@ void write_to_series(RunSeries& series, const Frame& frame, Reals reals,
     ++series.frames;
 }
 
-/// Reads what there is of a series that is to go on after its first frames. Its later frames are going to be removed:
-/// it must list what a run has written in its folder, and nothing else.
-void read_earlier(RunSeries& series, const SeriesProgress& progress) {
-    const std::filesystem::path path = series.pvd.path;
-    series.frames = static_cast<int>(progress.frames);
-    series.last_time = progress.last_time;
-    series.pvd = read_pvd(path);
-    const std::vector<PvdEntry>& entries = series.pvd.entries;
-    if (entries.size() < static_cast<std::size_t>(progress.frames))
-        throw std::runtime_error(fmt::format("{}: has {} frames instead of at least {}; has it been changed?",
-                                             path.string(), entries.size(), progress.frames));
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        if (entries[i].file != frame_file(series, i))
-            throw std::runtime_error(fmt::format("{}: entry {} is \"{}\" instead of \"{}\"; has it been changed?",
-                                                 path.string(), i, entries[i].file, frame_file(series, i)));
-    const std::filesystem::path frames = path.parent_path() / series.name;
-    if (std::filesystem::is_symlink(frames))
-        throw std::runtime_error(fmt::format("{}: is a link; a resumed run removes and writes frames only in its own "
-                                             "folder: move them there, or link the whole folder of results",
-                                             frames.string()));
-}
-
-/// \param resumed where the output of the run that goes on was
-std::array<RunSeries, 3> open_series(const std::filesystem::path& folder, const Scene& scene, bool contact,
-                                     const std::vector<bool>& bodies, double time, const OutputProgress* resumed) {
-    const OutputSpec& output = scene.output;
-    const auto make = [&](const char* name, const char* extension, const SeriesSpec& spec) {
-        return RunSeries{name,
-                         extension,
-                         {folder / fmt::format("{}.pvd", name), {}},
-                         Schedule(spec.every.value_or(output.every)),
-                         spec.write,
-                         {spec.arrays, bodies}};
-    };
-    std::array<RunSeries, 3> series = {make("particles", "vtu", output.particles), make("grid", "vti", output.grid),
-                                       make("contact", "vtp", output.contact)};
-    series[2].wanted &= contact;
-    for (std::size_t i = 0; resumed && i < series.size(); ++i) {
-        const SeriesProgress& progress = resumed->series[i];
-        series[i].schedule.resume(time, progress.every, progress.next);
-        if (series[i].wanted && progress.frames > 0) read_earlier(series[i], progress);
-    }
-    return series;
-}
-
-/// Removes the frames after those that a resumed series has.
-void remove_later(RunSeries& series) {
-    if (series.frames == 0) return;
-    while (series.pvd.entries.size() > static_cast<std::size_t>(series.frames)) {
-        std::filesystem::remove(series.pvd.path.parent_path() / series.pvd.entries.back().file);
-        series.pvd.entries.pop_back();
-    }
-    series.pvd.write();
-}
-
 CsvTable open_table(const std::filesystem::path& path, const std::vector<std::string>& columns,
                     const OutputProgress* resumed, std::size_t number) {
     return resumed ? CsvTable(path, columns, static_cast<std::uintmax_t>(resumed->bytes[number]))
                    : CsvTable(path, columns);
 }
 
-/// Whether a series gets a frame at this time; if it does, its schedule moves on.
-bool gets_frame(RunSeries& series, double time, Frames which) {
-    const bool due = series.schedule.due(time);
-    return series.wanted && (which == Frames::last ? series.last_time != time : due);
+std::vector<std::string> bodies_table_columns() {
+    return with_key_columns({"step", "time", "body"}, body_columns());
+}
+std::vector<std::string> pairs_table_columns() {
+    return with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns());
 }
 
 std::filesystem::path apart(const std::filesystem::path& folder, const std::string& name) {
@@ -130,24 +71,29 @@ void draw_live(LivePicture& live, State<D>& state) {
 template <int D>
 RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state,
                    const OutputProgress* resumed)
-    : folder_(folder),
-      series_(open_series(folder, state.scene, state.effects.contact, chosen_bodies(state), state.time, resumed)),
-      history_(open_table(folder / "history.csv", history_columns(state), resumed, 0)),
-      bodies_(
-          open_table(folder / "bodies.csv", with_key_columns({"step", "time", "body"}, body_columns()), resumed, 1)) {
-    write_text_atomically(folder / "scene.json", resolved_scene);
+    : folder_(folder), series_(series_of(folder, state)) {
     const OutputSpec& output = state.scene.output;
+    const bool has_pairs = state.effects.contact && output.pairs;
+    if (resumed) { // before anything is changed
+        check_continued(folder / "history.csv", history_columns(state), resumed->bytes[0]);
+        check_continued(folder / "bodies.csv", bodies_table_columns(), resumed->bytes[1]);
+        if (has_pairs) check_continued(folder / "pairs.csv", pairs_table_columns(), resumed->bytes[2]);
+        for (std::size_t i = 0; i < series_.size(); ++i) written_so_far(series_[i], resumed->series[i]);
+        clouds_ = read_cloud_series(folder);
+    }
+    history_.emplace(open_table(folder / "history.csv", history_columns(state), resumed, 0));
+    bodies_.emplace(open_table(folder / "bodies.csv", bodies_table_columns(), resumed, 1));
+    if (has_pairs) pairs_.emplace(open_table(folder / "pairs.csv", pairs_table_columns(), resumed, 2));
+    write_text_atomically(folder / "scene.json", resolved_scene);
     if (output.single_precision) reals_ = Reals::float32;
-    if (state.effects.contact && output.pairs)
-        pairs_.emplace(open_table(folder / "pairs.csv",
-                                  with_key_columns({"step", "time", "body_a", "body_b"}, pair_columns()), resumed, 2));
     if (output.live) {
         live_schedule_ = Schedule(output.particles.every.value_or(output.every));
         live_.emplace(folder / "live.png", Bounds{state.scene.grid.lower, state.scene.grid.upper}, state.scene.title,
                       output.live_preset, state.scene.time.end);
     }
     if (!resumed) return;
-    for (RunSeries& series : series_) remove_later(series);
+    for (std::size_t i = 0; i < series_.size(); ++i) resume(series_[i], resumed->series[i], state.time);
+    cut_cloud_series(clouds_, contact().last_time);
     last_history_ = resumed->history_last;
     write_all_pvd();
     for (const char* name : {"failed", "last_good"}) std::filesystem::remove(apart(folder, name));
@@ -156,7 +102,7 @@ RunFiles::RunFiles(const std::filesystem::path& folder, const std::string& resol
 void RunFiles::write_all_pvd() const {
     std::vector<PvdPart> parts;
     for (const RunSeries& series : series_)
-        if (series.wanted) parts.push_back({series.name, &series.pvd});
+        if (series.wanted || !series.pvd.entries.empty()) parts.push_back({series.name, &series.pvd});
     write_parts(folder_ / "all.pvd", parts);
 }
 
@@ -166,7 +112,7 @@ OutputProgress RunFiles::progress() const {
         progress.series[i] = {series_[i].frames, series_[i].last_time, series_[i].schedule.every(),
                               series_[i].schedule.next()};
     progress.history_last = last_history_;
-    progress.bytes = {static_cast<std::int64_t>(history_.bytes()), static_cast<std::int64_t>(bodies_.bytes()),
+    progress.bytes = {static_cast<std::int64_t>(history_->bytes()), static_cast<std::int64_t>(bodies_->bytes()),
                       pairs_ ? static_cast<std::int64_t>(pairs_->bytes()) : 0};
     return progress;
 }
@@ -176,13 +122,13 @@ Totals RunFiles::write_history(State<D>& state) {
     const std::vector<Totals> by_body = body_totals(state);
     const Totals all = deformable_totals(state, by_body);
     const double interval = state.time - last_history_;
-    history_.row(history_row(state, all, interval));
+    history_->row(history_row(state, all, interval));
     last_history_ = state.time;
     for (std::size_t b = 0; b < by_body.size(); ++b) {
         std::vector<CsvTable::Value> row = {std::int64_t{state.step}, state.time,
                                             std::string_view(state.bodies[b].name)};
         for (const double value : body_row(by_body[b], state.bodies[b].rigid.has_value())) row.emplace_back(value);
-        bodies_.row(row);
+        bodies_->row(row);
     }
     if (pairs_) {
         for (const PairRow& pair : pair_rows(state, interval)) {
@@ -194,8 +140,8 @@ Totals RunFiles::write_history(State<D>& state) {
         }
         pairs_->flush();
     }
-    history_.flush();
-    bodies_.flush();
+    history_->flush();
+    bodies_->flush();
     return all;
 }
 
@@ -232,10 +178,16 @@ bool RunFiles::write_frames(State<D>& state, Frames which) {
 
 template <int D>
 std::filesystem::path RunFiles::write_apart(const State<D>& state, const std::string& name) {
-    const std::filesystem::path file = apart(folder_, name);
+    std::filesystem::path file = apart(folder_, name);
     std::filesystem::create_directories(file.parent_path());
     write_particles(file, particle_frame(state));
     return file;
+}
+
+void RunFiles::sync_tables() {
+    history_->sync();
+    bodies_->sync();
+    if (pairs_) pairs_->sync();
 }
 
 std::string RunFiles::last_frame() const {
@@ -248,7 +200,7 @@ template <int D>
 void write_timing(const std::filesystem::path& file, const State<D>& state, const std::vector<Task<D>>& tasks,
                   const RunTiming& timing) {
     const auto particle_steps =
-        static_cast<long long>(state.particles.size()) * (state.step - timing.first_step + timing.abandoned_steps);
+        static_cast<long long>(state.particles.size()) * (state.step - timing.resumed_at_step + timing.abandoned_steps);
     nlohmann::ordered_json json = {
         {"wall_seconds", timing.wall_seconds},
         {"cpu_seconds", timing.cpu_seconds},
@@ -257,6 +209,7 @@ void write_timing(const std::filesystem::path& file, const State<D>& state, cons
         {"output_seconds", timing.output_seconds},
         {"tasks", nlohmann::ordered_json::object()},
         {"steps", state.step},
+        {"resumed_at_step", timing.resumed_at_step},
         {"step_reductions", state.step_reductions},
         {"abandoned_steps", timing.abandoned_steps},
         {"particles", state.particles.size()},

@@ -1,9 +1,8 @@
 #pragma once
-#include "app/schedule.h"
+#include "app/run_series.h"
 #include "io/checkpoint/checkpoint.h"
 #include "io/render/live_picture.h"
 #include "io/results/csv.h"
-#include "io/results/pvd.h"
 #include "io/results/write_contact_clouds.h"
 #include "io/results/write_frame.h"
 #include "results/frames.h"
@@ -18,26 +17,12 @@
 
 namespace abut {
 
-/// Which series get a frame: those whose next one is due, or all that don't have the present state yet.
-enum class Frames { due, last };
-
-/// One series of a run under way.
-struct RunSeries {
-    std::string name;      ///< of its folder and of its .pvd file
-    const char* extension; ///< of its frames
-    PvdSeries pvd;
-    Schedule schedule;
-    bool wanted = true;
-    FrameChoice choice;
-    int frames = 0;        ///< written so far
-    double last_time = -1; ///< of the last of them [s]
-};
-
 /// The result files of a run under way (contract §3).
 class RunFiles {
 public:
     /// Writes scene.json and opens the tables; the folder is ready (prepare_result_folder).
-    /// \param resumed where the output of the run that this one continues was: rows and frames after it are removed
+    /// \param resumed where the output of the run that this one continues was: rows and frames after it are removed.
+    /// Throws std::runtime_error, before anything is changed, if the files are not those of this run.
     template <int D>
     RunFiles(const std::filesystem::path& folder, const std::string& resolved_scene, State<D>& state,
              const OutputProgress* resumed = nullptr);
@@ -58,6 +43,8 @@ public:
     std::filesystem::path write_apart(const State<D>& state, const std::string& name);
     /// "results/particles/particles_00012.vtu (2.1e-06 s)", the last frame of particles; empty if there is none.
     std::string last_frame() const;
+    /// Waits until the rows of the tables are on the disk, as frames are.
+    void sync_tables();
 
 private:
     RunSeries& particles() { return series_[0]; }
@@ -68,9 +55,9 @@ private:
 
     std::filesystem::path folder_;
     Reals reals_ = Reals::float64;
-    std::array<RunSeries, 3> series_; ///< before the tables: nothing is changed if a series can't be resumed
-    CsvTable history_;
-    CsvTable bodies_;
+    std::array<RunSeries, 3> series_;
+    std::optional<CsvTable> history_; ///< opened once it is clear that all files fit; from then on they are there
+    std::optional<CsvTable> bodies_;
     std::optional<CsvTable> pairs_; ///< scenes with contact
     CloudSeries clouds_;            ///< scenes that take contact nodes apart
     std::optional<double> interpenetration_;
@@ -87,7 +74,7 @@ struct RunTiming {
     double solver_seconds = 0;             ///< stepping
     double output_seconds = 0;             ///< making and writing frames and rows
     double solver_cpu_seconds = 0;         ///< CPU time of all threads while stepping
-    long first_step = 0;                   ///< of the run that this one goes on with
+    long resumed_at_step = 0;              ///< the steps before are not in these times
     long abandoned_steps = 0;              ///< given up after trouble
     long long node_updates = 0;            ///< slots of all steps
     long long particle_sweeps = 0;         ///< sweeps_of_step() of all particles and steps

@@ -32,8 +32,16 @@ std::string smaller_step(const State<D>& state) {
 }
 
 std::string finer_grid(const Scene& scene) {
-    const double cell = scene.grid.cell[0];
-    return fmt::format("a finer grid: --set \"/grid/cell={:.3g} m\" (it is {:.4g} m)", 0.5 * cell, cell);
+    const auto& cell = scene.grid.cell;
+    const int axes = dimension(scene.analysis);
+    if (std::all_of(cell.begin(), cell.begin() + axes, [&](double size) { return size == cell[0]; }))
+        return fmt::format("a finer grid: --set \"/grid/cell={:.3g} m\" (it is {:.4g} m)", 0.5 * cell[0], cell[0]);
+    std::string half, whole;
+    for (int a = 0; a < axes; ++a) {
+        half += fmt::format("{}{:.3g}", a > 0 ? ", " : "", 0.5 * cell[a]);
+        whole += fmt::format("{}{:.4g}", a > 0 ? ", " : "", cell[a]);
+    }
+    return fmt::format("a finer grid: --set \"/grid/cell=[{}]\" (it is [{}] m)", half, whole);
 }
 
 /// Another transfer against noise; nothing if the scene's damps well.
@@ -211,22 +219,23 @@ void report_trouble(const RunError& error, State<D>& state, RunFiles& files, Goo
     write("failed", "the state gone wrong");
     if (!good.empty()) {
         if (comes_back)
-            left.push_back("it came back at the same time and place though the time step was halved twice: a smaller "
-                           "one won't help");
+            left.emplace_back(
+                "it came back at the same time and place though the time step was halved twice: a smaller "
+                "one won't help");
         else if (state.step_reductions == most_step_reductions)
             left.push_back(fmt::format("the time step was halved {} times in vain", most_step_reductions));
         go_back(good.oldest().state, state);
         write("last_good", fmt::format("the last good state, step {}, {:g} s", state.step, state.time));
     } else if (const std::string frame = files.last_frame(); !frame.empty()) {
-        left.push_back("the last frame before: " + frame);
+        left.emplace_back("the last frame before: " + frame);
     }
     left.push_back(checkpoint.empty() ? "no checkpoint was written before: see /output/checkpoint_every"
                                       : "the last checkpoint before: " + checkpoint);
     if (!unwritten.empty()) left.push_back(unwritten);
     if (good.empty() && depends_on_step(error.trouble()) && !comes_back)
-        advice.push_back(checkpoint.empty()
-                             ? "--set /time/on_trouble=shrink-step, which goes back and halves the step by itself"
-                             : "go on from the checkpoint: --resume --set /time/on_trouble=shrink-step");
+        advice.emplace_back(checkpoint.empty()
+                                ? "--set /time/on_trouble=shrink-step, which goes back and halves the step by itself"
+                                : "go on from the checkpoint: --resume --set /time/on_trouble=shrink-step");
     throw RunError(error.trouble(), error.particle(), trouble_report(error.what(), left, advice));
 }
 

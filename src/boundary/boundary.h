@@ -61,10 +61,6 @@ void make_orthogonal(std::vector<Control>& controls, std::size_t slots);
 /// Sets the controlled components of the velocities (mass in lane 0) and adds up the impulses: the forces of notes
 /// (2.7)-(2.12) times the time step.
 void impose(std::vector<Control>& controls, std::vector<Pack>& velocity);
-/// The same after velocities have changed for another reason (contact): a wall that bodies may leave takes back of the
-/// impulse it has given what is not needed any more. It would else push a body that moves away, and that is energy from
-/// nowhere: 8 % of the piston's work where ellipses were crushed (tests/stability/compaction.cpp).
-void impose_again(std::vector<Control>& controls, std::vector<Pack>& velocity);
 /// The same without adding up.
 void impose_untracked(const std::vector<Control>& controls, std::vector<Pack>& velocity);
 

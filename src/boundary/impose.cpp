@@ -7,13 +7,11 @@ namespace abut {
 
 namespace {
 
-double wanted_velocity(const Control& control, const std::vector<Pack>& velocity) {
-    return control.mirror < 0 ? control.velocity : -dot(velocity[control.mirror], control.direction);
-}
-
 /// What imposing a control changes the velocity along its direction by.
 double change_of(const Control& control, const std::vector<Pack>& velocity) {
-    const double change = wanted_velocity(control, velocity) - dot(velocity[control.slot], control.direction);
+    const double now = dot(velocity[control.slot], control.direction);
+    const double wanted = control.mirror < 0 ? control.velocity : -dot(velocity[control.mirror], control.direction);
+    const double change = wanted - now;
     return change * control.push < 0 ? 0 : change; // may leave the wall
 }
 
@@ -25,17 +23,6 @@ void impose(std::vector<Control>& controls, std::vector<Pack>& velocity) {
         Pack& v = velocity[control.slot];
         control.impulse += v[0] * change;
         v += change * control.direction;
-    }
-}
-
-void impose_again(std::vector<Control>& controls, std::vector<Pack>& velocity) {
-    for (Control& control : controls) {
-        Pack& v = velocity[control.slot];
-        double impulse = v[0] * (wanted_velocity(control, velocity) - dot(v, control.direction));
-        if ((control.impulse + impulse) * control.push < 0) impulse = -control.impulse;
-        if (impulse == 0) continue;
-        control.impulse += impulse;
-        v += impulse / v[0] * control.direction;
     }
 }
 

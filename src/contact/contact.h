@@ -6,9 +6,6 @@
 
 namespace abut {
 
-/// What the first contact pass has left two bodies without: a normal velocity to each other, or any.
-enum class Hold : std::int8_t { none, normal, all };
-
 /// Body a at a contact node against body b, or against all others lumped (contact paper §3.4).
 template <int D>
 struct ContactPoint {
@@ -29,7 +26,6 @@ struct ContactPoint {
     Vec<D> sliding = Vec<D>::Zero(); ///< tangential velocity of b to a that a light pair keeps [m/s]
     double carried_separation = 0;   ///< at the time of the pass [m]
     bool touching = false;           ///< overlapping in the second pass
-    Hold held = Hold::none;          ///< by the first pass, see hold_together.h
     bool rigid_a = false;            ///< body a moves as prescribed
     bool rigid_b = false;            ///< body b, or one of those lumped, does
     Vec<D> impulse = Vec<D>::Zero(); ///< on a in the second pass [N s]

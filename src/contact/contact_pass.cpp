@@ -2,7 +2,6 @@
 
 #include "boundary/rigid_body.h"
 #include "contact/group_view.h"
-#include "contact/hold_together.h"
 
 #include <algorithm>
 
@@ -270,8 +269,6 @@ void first_contact_pass(State<D>& state) {
         change = &state.nodes.delta_velocity;
     }
     correct_all(state, {}, state.nodes.velocity, change);
-    if (change && state.transfers)
-        find_holds(state, state.effects.fmpm ? HoldsOf::perfect : HoldsOf::any, state.nodes.velocity, *change);
     const bool moves_particles = state.effects.pic && state.transfers;
     if (!moves_particles) return;
     for (ContactPoint<D>& point : state.contact.points) point.extra_impulse = point.impulse;
@@ -284,14 +281,14 @@ void second_contact_pass(State<D>& state) {
     correct_all(state, pass, velocity, nullptr);
     if (!state.conditions_on_lumped()) return;
     // Where a body is pressed against a wall and another body, walls and contact take turns until both are satisfied,
-    // or nearly: walls have the last word. Both take back what is no longer needed.
+    // or nearly: walls have the last word.
     constexpr int turns = 10;
     const std::vector<std::ptrdiff_t> groups = groups_at_walls(state);
     for (int turn = 0; turn < turns && !groups.empty(); ++turn) {
-        impose_again(state.controls, velocity);
+        impose(state.controls, velocity);
         for (const std::ptrdiff_t g : groups) correct_pairs<D>(state, state.contact.groups[g], pass, velocity, nullptr);
     }
-    impose_again(state.controls, velocity);
+    impose(state.controls, velocity);
 }
 
 template <int D>
@@ -302,7 +299,6 @@ void correct_for_contact(State<D>& state, std::vector<Pack>& velocity, std::vect
     correct_all(state, {}, velocity, change);
     state.contact.points = points;
     state.contact.groups = groups;
-    if (change) drop_held_part(state, velocity, *change);
 }
 
 template void first_contact_pass<2>(State<2>&);

@@ -19,19 +19,19 @@ struct Limit {
 Limit fmpm_limit(ShapeKind shape) {
     switch (shape) {
     case ShapeKind::cpdi:
-        return {0.6, 0.2};
+        return {0.7, 0.25};
     case ShapeKind::b2cpdi:
-        return {0.8, 0.2};
+        return {1.2, 0.3};
     case ShapeKind::b2gimp:
-        return {0.8, 0};
+        return {1.0, 0};
     case ShapeKind::b2spline:
-        return {0.65, 0};
+        return {0.8, 0};
     case ShapeKind::linear:
     case ShapeKind::ugimp:
     case ShapeKind::gimp:
         break;
     }
-    return {0.6, 0};
+    return {0.7, 0};
 }
 
 } // namespace

@@ -1,11 +1,9 @@
 #include "boundary/rigid_body.h"
-#include "contact/hold_together.h"
 #include "grid/parallel.h"
 #include "shape/dispatch.h"
 #include "step/tasks.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace abut {
 
@@ -38,19 +36,15 @@ void sweep(State<D>& state, const std::vector<Pack>& u, std::vector<Pack>& round
 ///   m_k^-1 p − m_(k−1)^-1 Δp = Σ_{j<k−1} A^j (v − Δv) + A^(k−1) v,
 /// which is found from the inside out: u = v, then k − 1 times u ← (v − Δv) + u − S+ S u. This equals the recursion of
 /// FMPM paper §2.2 and contact paper Eq. (43), (44) without its binomial coefficients, which alternate in sign and grow
-/// with k. What contact holds together is held in each sweep (hold_together.h).
+/// with k.
 template <int D>
 void apply_mass_matrix_inverse(State<D>& state, const std::vector<Pack>& velocity, const std::vector<Pack>* delta,
                                std::vector<Pack>& filtered) {
     const auto n = static_cast<std::ptrdiff_t>(state.fields.size());
     std::vector<Pack>& round_trip = state.nodes.round_trip;
     filtered = velocity;
-    const bool holds = delta || (state.effects.fmpm && !state.controls.empty());
     for (int order = 0; order < state.effects.extra_orders; ++order) {
         sweep(state, filtered, round_trip);
-        // Velocities that only deform the particles exchange nothing.
-        const bool last = order + 1 == state.effects.extra_orders && &filtered == &state.nodes.filtered;
-        if (holds) hold_together(state, velocity, filtered, round_trip, last);
 #pragma omp parallel for schedule(static)
         for (std::ptrdiff_t slot = 0; slot < n; ++slot) {
             const Pack v = velocity[slot];
@@ -122,24 +116,19 @@ namespace {
 /// FMPM with contact. Impulses of contact go through the full mass matrix with the forces that they balance. But:
 /// * Where bodies meet, an impulse that stops the lumped masses of a few nodes would come out of the full mass matrix k
 ///   times as large and throw the edges back: energy from nowhere (two blocks gained 18 % just after they
-///   met, FMPM(8)). So bodies that don't part are held together in every sweep (hold_together.h), and where they do
-///   (springs between them) what stops an approach is added after the filter, as it is.
+///   met, FMPM(8)). So what stops an approach is added after the filter, as it is.
 /// * Behind the filter bodies don't keep out of each other any more. As with walls ("combined" conditions, FMPM paper
 ///   §2.4) they are made to again, with momentum kept pair by pair. Particles then move and deform alike, and don't
 ///   drift into overlaps.
 template <int D>
 void filter_with_contact(State<D>& state, const std::vector<Pack>* delta) {
     NodeArrays<D>& nodes = state.nodes;
-    if (state.effects.delta_velocity) find_holds(state, HoldsOf::any, nodes.end_velocity, nodes.delta_velocity);
-    const auto rebounds = [&](const ContactPoint<D>& point) {
-        return point.held == Hold::none && is_bound(state, point);
-    };
     std::vector<Pack> without_impacts = nodes.end_velocity;
     for (const ContactPoint<D>& point : state.contact.points)
-        if (rebounds(point)) exchange<D>(point, -impact(state, point), nodes.end_velocity, without_impacts);
+        if (is_bound(state, point)) exchange<D>(point, -impact(state, point), nodes.end_velocity, without_impacts);
     apply_mass_matrix_inverse(state, without_impacts, delta, nodes.filtered);
     for (const ContactPoint<D>& point : state.contact.points)
-        if (rebounds(point)) exchange<D>(point, impact(state, point), nodes.end_velocity, nodes.filtered);
+        if (is_bound(state, point)) exchange<D>(point, impact(state, point), nodes.end_velocity, nodes.filtered);
     keep_normal_jumps(state, nodes.end_velocity, nodes.filtered, true);
 }
 
@@ -158,20 +147,6 @@ void find_deforming_velocities(State<D>& state) {
     impose_untracked(state.controls, nodes.deforming);
 }
 
-/// Walls that only push have been held in the sweeps (hold_together.h) where they push. Elsewhere filtered velocities
-/// may go into them, by noise; stopping nodes with little mass then gave energy, since the full mass matrix couples
-/// them to others (FMPM(8): 27 % when a small body met a wall).
-template <int D>
-void impose_on_filtered(State<D>& state, std::vector<Pack>& filtered) {
-    std::vector<Control> wanted;
-    const auto again = [&](const Control& control) { return control.push == 0 || !state.conditions_on_lumped(); };
-    std::copy_if(state.controls.begin(), state.controls.end(), std::back_inserter(wanted), again);
-    impose(wanted, filtered);
-    auto next = wanted.begin();
-    for (Control& control : state.controls)
-        if (again(control)) control = *next++;
-}
-
 } // namespace
 
 template <int D>
@@ -188,7 +163,7 @@ void filter_velocities(State<D>& state) {
         // The masses, which impulses need, are in lane 0 of the lumped velocities only.
         for (const Control& control : state.controls)
             nodes.filtered[control.slot][0] = nodes.end_velocity[control.slot][0];
-        impose_on_filtered(state, nodes.filtered);
+        impose(state.controls, nodes.filtered);
     }
     if (state.effects.contact_strain) find_deforming_velocities(state);
 }

@@ -1,6 +1,5 @@
 #include "boundary/rigid_body.h"
 #include "contact/contact_pass.h"
-#include "contact/hold_together.h"
 #include "grid/parallel.h"
 #include "step/run_error.h"
 #include "step/tasks.h"
@@ -195,18 +194,10 @@ void update_particles(State<D>& state) {
 
 template <int D>
 void update_stress_first(State<D>& state) {
-    std::vector<Pack> delta;
-    const std::vector<ContactPoint<D>> points = state.contact.points;
-    if (state.effects.delta_velocity) {
-        delta = state.nodes.delta_velocity;
-        // FMPM deforms by velocities that contact holds as it holds those that move the particles.
-        if (state.effects.fmpm && state.transfers) find_holds(state, HoldsOf::any, state.nodes.velocity, delta);
-    }
+    const std::vector<Pack>* delta = state.effects.delta_velocity ? &state.nodes.delta_velocity : nullptr;
     std::vector<Pack> changed;
-    const std::vector<Pack>& velocity =
-        deforming_velocity(state, state.nodes.velocity, delta.empty() ? nullptr : &delta, changed);
+    const std::vector<Pack>& velocity = deforming_velocity(state, state.nodes.velocity, delta, changed);
     run<D>(state, {nullptr, velocity, velocity, state.effects.stress_share() * state.dt});
-    state.contact.points = points;
 }
 
 template <int D>

@@ -180,10 +180,10 @@ TEST_F(Results, TimingHasTheKeysOfTheContract) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : timing.items()) keys.push_back(key);
     EXPECT_THAT(keys, testing::UnorderedElementsAre("wall_seconds", "cpu_seconds", "solver_seconds", "output_seconds",
-                                                    "tasks", "steps", "particles", "nodes", "threads",
-                                                    "peak_memory_bytes", "ns_per_particle_step", "step_reductions",
-                                                    "abandoned_steps", "solver_cpu_seconds", "particle_updates",
-                                                    "particle_sweeps", "node_updates"));
+                                                    "tasks", "steps", "resumed_at_step", "particles", "nodes",
+                                                    "threads", "peak_memory_bytes", "ns_per_particle_step",
+                                                    "step_reductions", "abandoned_steps", "solver_cpu_seconds",
+                                                    "particle_updates", "particle_sweeps", "node_updates"));
     EXPECT_EQ(std::to_string(timing["steps"].get<long>()), table(read("history.csv")).back()[0]);
     double tasks = 0;
     for (const auto& [task, seconds] : timing["tasks"].items()) tasks += seconds.get<double>();

@@ -49,7 +49,7 @@ struct StepOracle {
     Dense<D> d;
     MatrixXd V, X;              ///< before the step
     MatrixXd next_V, next_X;    ///< after it
-    MatrixXd v, v_end;          ///< v^α, v^α+ (lumped)
+    MatrixXd v, v_end, delta;   ///< v^α, v^α+ (lumped), Δv^α
     MatrixXd end;               ///< what moves the particles: v_end, or m_k^-1 p+ of FMPM
     std::vector<Mat<D>> F;      ///< after the step
     std::vector<Stress<D>> tau; ///< after the step
@@ -73,35 +73,30 @@ struct StepOracle {
         for (const auto& node : slot_nodes(state.fields))
             places_.push_back(to_array<D>(state.grid.node_position(node)));
 
-        v = after_contact(d.over_mass(d.S.transpose() * d.M.asDiagonal() * V));
-        if (first) deform(deforming(v), strain_step);
+        v = after_contact(d.over_mass(d.S.transpose() * d.M.asDiagonal() * V), delta);
+        if (first) deform(deforming(v, delta), strain_step);
         v_end = v + dt * d.over_mass(force());
         for (int a = 0; a < D; ++a) v_end.col(a).array() += dt * state.scene.gravity[a];
         const bool after_only = fmpm() && method.velocity_conditions == VelocityConditions::velocity;
         if (!after_only) impose(v_end);
-        v_end = after_contact(v_end);
+        MatrixXd unused;
+        v_end = after_contact(v_end, unused);
         end = v_end;
         if (fmpm()) {
-            end = full_mass(v_end);
+            end = full_mass(v_end, delta);
             if (method.velocity_conditions != VelocityConditions::lumped) impose(end);
         }
         if (last && !again) deform(end, strain_step);
         move(position_update(method.transfer));
         if (!again) return;
-        const MatrixXd u = after_contact(d.over_mass(d.S.transpose() * d.M.asDiagonal() * next_V));
-        deform(deforming(u), strain_step);
+        MatrixXd new_delta;
+        const MatrixXd u = after_contact(d.over_mass(d.S.transpose() * d.M.asDiagonal() * next_V), new_delta);
+        deform(deforming(u, new_delta), strain_step);
     }
 
-    /// m_k^-1 p of the scene's order, from v = m^-1 p, by the mass matrix of all bodies together where their interface
-    /// is perfect: what S^T M S makes of a velocity is then shared by all bodies of a node.
-    MatrixXd full_mass(const MatrixXd& velocity) const {
-        MatrixXd term = velocity;
-        MatrixXd sum = MatrixXd::Zero(velocity.rows(), velocity.cols());
-        for (int j = 0; j < order_; ++j) {
-            sum += term;
-            term -= after_contact(d.S_plus * (d.S * term));
-        }
-        return sum;
+    /// m_k^-1 p − m_(k−1)^-1 Δp of the scene's order, from v = m^-1 p.
+    MatrixXd full_mass(const MatrixXd& velocity, const MatrixXd& change) const {
+        return d.inverse(order_, velocity) - d.inverse(order_ - 1, change);
     }
 
     /// All particles of a state after the step.
@@ -126,7 +121,7 @@ private:
     }
 
     /// What the perfect interface of all bodies makes of velocities: that of their common centre of mass.
-    MatrixXd after_contact(const MatrixXd& u) const {
+    MatrixXd after_contact(const MatrixXd& u, MatrixXd& change) const {
         MatrixXd result = u;
         if (state_.effects.contact)
             for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -139,6 +134,7 @@ private:
                 }
                 if (d.m[i] > 0) result.row(i) = momentum / mass;
             }
+        change = result - u;
         return result;
     }
 
@@ -160,10 +156,10 @@ private:
     }
 
     /// Velocities that deform the particles apart from the momentum update.
-    MatrixXd deforming(MatrixXd u) const {
+    MatrixXd deforming(MatrixXd u, const MatrixXd& change) const {
         impose(u);
         if (!fmpm()) return u;
-        u = full_mass(u);
+        u = full_mass(u, change);
         impose(u);
         return u;
     }
@@ -202,7 +198,7 @@ private:
             if (state_.scene.method.transfer.position == PositionUpdate::end_velocity) next_X = X + dt * d.S * v_end;
             return;
         case TransferScheme::xpic:
-            next_V = d.S * (full_mass(v) + v_end - v);
+            next_V = d.S * (full_mass(v, delta) + v_end - v);
             break;
         case TransferScheme::pic:
         case TransferScheme::fmpm:

@@ -49,8 +49,9 @@ inline Scene space_scene(double cell, double lower, double upper, const Material
     return scene;
 }
 
-inline TransferSpec transfer(TransferScheme scheme, int order = 2,
-                             PositionUpdate position = PositionUpdate::end_velocity) {
+/// \param position not given: FLIP's own rule, and end_velocity for the others
+inline TransferSpec transfer(TransferScheme scheme, int order = 2, std::optional<PositionUpdate> position = {}) {
+    if (!position && scheme != TransferScheme::flip) position = PositionUpdate::end_velocity;
     return {scheme, order, position, {}};
 }
 

@@ -28,6 +28,13 @@ TEST(ForbiddenChanges, EndTitleAndOutputAreFree) {
                 ElementsAre("/output/pairs: was true, is false"));
 }
 
+TEST(ForbiddenChanges, FilesMayLieElsewhere) {
+    EXPECT_THAT(forbidden_changes(R"({"images": [{"file": "/a/b.png", "pixel": 1}]})",
+                                  R"({"images": [{"file": "/c/b.png", "pixel": 2}]})"),
+                ElementsAre("/images/0/pixel: was 1, is 2"));
+    EXPECT_THAT(forbidden_changes(R"({"profile": 1})", R"({"profile": 2})").size(), 1U);
+}
+
 TEST(ForbiddenChanges, NothingElseIs) {
     EXPECT_THAT(forbidden_changes(R"({"time": {"end": 1, "cfl": 0.4}})", R"({"time": {"end": 1, "cfl": 0.3}})"),
                 ElementsAre("/time/cfl: was 0.4, is 0.3"));

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
@@ -90,6 +91,27 @@ TEST(CsvTable, ManyRowsReachTheFileWhole) {
     EXPECT_EQ(text.back(), '\n');
 }
 
+TEST(CsvTable, GoesOnOnlyWhereARowOfItsOwnEnds) {
+    TemporaryFolder folder;
+    std::uintmax_t bytes = 0;
+    {
+        CsvTable table(folder / "t.csv", {"a", "b"});
+        table.row({1.0, 2.0});
+        bytes = table.bytes();
+        table.row({3.0, 4.0});
+    }
+    const auto why_not = [&](const std::vector<std::string>& columns, std::uintmax_t end) {
+        return error_of([&] { check_continued(folder / "t.csv", columns, end); });
+    };
+    EXPECT_NO_THROW(check_continued(folder / "t.csv", {"a", "b"}, bytes));
+    EXPECT_NO_THROW(check_continued(folder / "t.csv", {"a", "b"}, fs::file_size(folder / "t.csv")));
+    EXPECT_THAT(why_not({"a", "c"}, bytes), HasSubstr("other columns"));
+    EXPECT_THAT(why_not({"a", "b"}, bytes + 1), HasSubstr("no row ends after"));
+    EXPECT_THAT(why_not({"a", "b"}, 1000), HasSubstr("instead of at least 1000"));
+    fs::remove(folder / "t.csv");
+    EXPECT_THAT(why_not({"a", "b"}, bytes), HasSubstr("no such file"));
+}
+
 TEST(CsvTable, FailuresNameFileAndCause) {
     TemporaryFolder folder;
     EXPECT_THAT(error_of([&] { CsvTable(folder / "none/t.csv", {"a"}); }),
@@ -161,6 +183,18 @@ TEST(Pvd, BrokenFileIsReported) {
 void touch(const fs::path& path) {
     fs::create_directories(path.parent_path());
     std::ofstream(path) << "x";
+}
+
+TEST(ResultFolder, IsKeptByOneRunAtATime) {
+    TemporaryFolder folder;
+    std::optional<FolderLock> first(prepare_result_folder(folder / "r", false));
+    EXPECT_THAT(error_of([&] { FolderLock second(folder / "r"); }), HasSubstr("another run writes to this folder"));
+    EXPECT_THAT(error_of([&] { prepare_result_folder(folder / "r", true); }), HasSubstr("another run writes"));
+    FolderLock moved = std::move(*first);
+    first.reset();
+    EXPECT_THAT(error_of([&] { FolderLock second(folder / "r"); }), HasSubstr("another run writes to this folder"));
+    moved = FolderLock();
+    EXPECT_NO_THROW(FolderLock(folder / "r"));
 }
 
 TEST(ResultFolder, NewAndEmptyFoldersAreTaken) {

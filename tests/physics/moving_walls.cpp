@@ -45,7 +45,10 @@ Scene stretching_scene(const Stretching& s) {
     // A whole number of cells, with a node at the bar's ends.
     scene.grid.upper[0] = std::ceil(reach + 1);
     scene.grid.lower[0] = -scene.grid.upper[0];
-    scene.method = {s.shape, s.transfer, StressUpdate::usl, s.conditions};
+    scene.method = {.shape = s.shape,
+                    .transfer = s.transfer,
+                    .stress_update = StressUpdate::usl,
+                    .velocity_conditions = s.conditions};
     scene.time.end = s.strain / rate;
     scene.time.cfl = s.cfl;
     for (const double side : {-1.0, 1.0}) {

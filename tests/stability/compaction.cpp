@@ -84,13 +84,15 @@ void crush(Figures& figures, const Packing& p, double compaction) {
     // The grains fill the box: as stiff as the solid.
     figures.at_most(kind + "pressure error", name, std::abs(pressure / (78.09 / 2 * (1 / J - J)) - 1),
                     in_proportion(0.15, p));
-    // Grains that overlap are parted, against their pressure: that work is in the ledger. What walls and XPIC take from
-    // velocities is not; it is a loss, and larger than what the time integration gives (README.md).
+    // Grains that overlap are parted, against their pressure: that work is in the ledger. What walls and the first
+    // contact pass do to the velocities at the start of a step is not: at the surfaces, and 2 % at 35 cells
+    // (survival.cpp).
     const double work = state.ledger.external_work;
     const double contact = std::max(0.0, state.ledger.contact_work);
     std::printf("[ figures  ] energy %.4f of the piston's work, contact's work %.4f of it\n", watch.energy() / work,
                 state.ledger.contact_work / work);
-    figures.at_most(kind + "energy / work of piston and contact", name, watch.energy() / (work + contact), 1);
+    figures.at_most(kind + "energy / work of piston and contact", name, watch.energy() / (work + contact),
+                    1 + in_proportion(0.02, p));
 }
 
 TEST(Compaction, SixEllipsesToAQuarterOfTheirHeight) {

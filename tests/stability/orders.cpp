@@ -77,10 +77,7 @@ void expect_crash_goes_well(Figures& figures, const Combination& c) {
     double contact_work = 0;
     const auto watch =
         run_watched(state, 1.5, [&] { contact_work = std::max(contact_work, state.ledger.contact_work); });
-    // Linear shapes have no stable step with FMPM: G² / S grows without bound where S tends to 0 (plan/time_step.h);
-    // advice() says so. Their limit is stated: they may gain a tenth.
-    const bool unstable = c.shape == ShapeKind::linear && c.transfer.scheme == TransferScheme::fmpm;
-    watch.expect_energy(figures, name, contact_work / watch.largest + (unstable ? 0.1 : 0));
+    watch.expect_energy(figures, name, contact_work / watch.largest);
     if (c.normal != NormalMethod::own_gradient) watch.expect_momentum(figures, name); // see advice()
 }
 
