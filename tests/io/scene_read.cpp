@@ -108,8 +108,7 @@ std::string describe(const Scene& s) {
         << s.time.step.value_or(-1) << '|' << int(s.method.shape) << int(s.method.transfer.scheme)
         << s.method.transfer.order << ' ' << int(s.method.transfer.position.value_or(PositionUpdate(9))) << ' '
         << s.method.transfer.every_cfl.value_or(-1) << int(s.method.stress_update) << int(s.method.velocity_conditions)
-        << int(s.method.deformation_increment)
-        << '\n';
+        << int(s.method.deformation_increment) << '\n';
     for (const MaterialSpec& m : s.materials)
         out << m.name << ' ' << int(m.model) << ' ' << m.density << ' ' << m.bulk_modulus << ' ' << m.shear_modulus
             << '\n';
