@@ -1,11 +1,11 @@
 #include "io/study/read_study.h"
 
 #include "expression/expression.h"
+#include "io/results/checksum.h"
 #include "io/scene/bind_parts.h"
 #include "io/scene/check.h"
 #include "io/scene/overrides.h"
 #include "io/scene/parse_json.h"
-#include "io/study/checksum.h"
 #include "io/study/read_study_parts.h"
 #include "io/study/specification_study.h"
 #include "scene/suggest.h"

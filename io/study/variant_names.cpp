@@ -1,6 +1,6 @@
 #include "io/study/variant_names.h"
 
-#include "io/study/checksum.h"
+#include "io/results/checksum.h"
 
 #include <fmt/format.h>
 

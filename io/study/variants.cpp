@@ -1,8 +1,8 @@
 #include "io/study/variants.h"
 
+#include "io/results/checksum.h"
 #include "io/scene/overrides.h"
 #include "io/scene/parse_json.h"
-#include "io/study/checksum.h"
 #include "io/study/output_of_variants.h"
 #include "io/study/scene_values.h"
 #include "io/study/variant_names.h"

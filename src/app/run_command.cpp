@@ -106,7 +106,8 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
     if (folder.empty()) folder = options.scene.scene.stem().string() + "-results";
     State<D> state = make_state<D>(loaded.scene, model);
     check_start(state, options.scene.scene);
-    const std::uint64_t checksum = model_checksum(model);
+    const bool keeps_state = options.resume || loaded.scene.output.checkpoint;
+    const std::uint64_t checksum = keeps_state ? model_checksum(model) : 0;
     Checkpoints checkpoints(folder, loaded.resolved, checksum, loaded.scene.output);
     std::optional<OutputProgress> resumed;
     const FolderLock lock = options.resume ? lock_results(folder) : make_ready(folder, options, loaded.scene);
@@ -219,7 +220,7 @@ int run(const RunOptions& options, const LoadedScene& loaded, std::chrono::stead
                 watch(write_history());
             else if (state.step % energy_watch_steps == 0)
                 watch(totals());
-            write_frames(Frames::due);
+            if (files->is_due(state.time)) write_frames(Frames::due); // else not even the clocks are read
         }
         // The state that the run ends with too; without a trace, so that a run that is resumed goes on as if there had
         // been no end. One that is interrupted only saves its state.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace abut {
@@ -143,6 +144,12 @@ Totals RunFiles::write_history(State<D>& state) {
     history_->flush();
     bodies_->flush();
     return all;
+}
+
+bool RunFiles::is_due(double time) const {
+    return live_schedule_.is_due(time) || std::any_of(series_.begin(), series_.end(), [&](const RunSeries& series) {
+               return series.schedule.is_due(time);
+           });
 }
 
 template <int D>

@@ -35,6 +35,8 @@ public:
     /// A frame of each series that gets one, and all.pvd. \return false if none got one
     template <int D>
     bool write_frames(State<D>& state, Frames which);
+    /// Whether write_frames() of what is due has anything to do.
+    bool is_due(double time) const;
     /// The interpenetration of bodies in the frame of particles just written, if one was, as a fraction of their area;
     /// nothing without contact and in 3D, where it isn't measured.
     std::optional<double> interpenetration() const { return interpenetration_; }

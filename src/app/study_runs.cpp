@@ -1,8 +1,8 @@
 #include "app/study_runs.h"
 
 #include "app/child_process.h"
+#include "io/results/checksum.h"
 #include "io/results/write_text.h"
-#include "io/study/checksum.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

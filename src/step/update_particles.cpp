@@ -185,8 +185,7 @@ template <int D>
 void update_particles(State<D>& state) {
     const bool with_stress = state.effects.stress_last && !state.effects.reextrapolate;
     const double strain_step = with_stress ? state.effects.stress_share() * state.dt : 0;
-    const MoveRule rule =
-        state.transfers ? move_rule(state.scene.method.transfer) : flip_rule_of(state.scene.method.transfer);
+    const MoveRule rule = move_rule(state.scene.method.transfer, state.transfers);
     const std::vector<Pack>& velocity = final_velocity(state);
     const bool apart = state.effects.contact_strain && state.transfers; // fmpm, whose rules want E alone
     run<D>(state, {&rule, velocity, apart ? state.nodes.deforming : velocity, strain_step});

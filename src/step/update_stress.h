@@ -14,15 +14,6 @@ struct VelocityGradient {
     double hoop = 0;
 };
 
-/// The 1 + A of one direction.
-inline double linear_increment(double A) {
-    return 1 + A;
-}
-template <int D>
-Mat<D> linear_increment(const Mat<D>& A) {
-    return Mat<D>::Identity() + A;
-}
-
 /// dF = exp(∇v Δt) or 1 + ∇v Δt, F ← dF F, stress by the law (FMPM paper Table 1, task 5). Rings stretch around the
 /// axis by exp(v_r/r Δt), or 1 + v_r/r Δt; in plane stress the law itself says how far the particle stretches across
 /// the plane. \return ρ0 c² of the particle [Pa]; negative: it is turned inside out, absurdly stretched or not a number
@@ -34,13 +25,14 @@ template <int D, class Law>
     Mat<D> dv;
     for (int a = 0; a < D; ++a)
         for (int i = 0; i < D; ++i) dv(i, a) = gradient.column[a][i + 1] * dt;
-    const Mat<D> F = product<D>(linear ? linear_increment<D>(dv) : exponential(dv), particles.deformation_gradient[p]);
+    const Mat<D> dF = linear ? Mat<D>(Mat<D>::Identity() + dv) : exponential(dv);
+    const Mat<D> F = product<D>(dF, particles.deformation_gradient[p]);
     particles.deformation_gradient[p] = F;
     double across = 1;
     if constexpr (D == 2) {
         if (!particles.across.empty()) {
-            across =
-                particles.across[p] * (linear ? linear_increment(gradient.hoop * dt) : std::exp(gradient.hoop * dt));
+            const double hoop = gradient.hoop * dt;
+            across = particles.across[p] * (linear ? 1 + hoop : std::exp(hoop));
             if (free_across) across = law.stretch_without_stress(strain_of<2>(F, across), across);
             particles.across[p] = across;
         }

@@ -17,23 +17,15 @@ struct MoveRule {
     bool needs_filtered() const { return v_F != 0; }
 };
 
-/// V' = V + S a Δt; X' = X + S m^-1 p Δt + ½ S a Δt², that is Δt ½ (B + E).
-constexpr MoveRule flip_rule{.v_V = 1, .v_E = 1, .v_B = -1, .x_E = 0.5, .x_B = 0.5};
-
-/// The rule of FLIP steps, also of those between steps of another scheme: first order in X if that is asked for ("many
-/// codes use" it, FMPM paper §2.3).
-inline MoveRule flip_rule_of(const TransferSpec& transfer) {
-    MoveRule rule = flip_rule;
-    if (transfer.position == PositionUpdate::end_velocity) {
-        rule.x_E = 1;
-        rule.x_B = 0;
-    }
-    return rule;
-}
-
 /// The rule of a scheme; PIC and FMPM differ in what E is.
-inline MoveRule move_rule(const TransferSpec& transfer) {
-    if (transfer.scheme == TransferScheme::flip) return flip_rule_of(transfer);
+/// \param transfers false: a FLIP step between those of the scheme
+inline MoveRule move_rule(const TransferSpec& transfer, bool transfers) {
+    if (!transfers || transfer.scheme == TransferScheme::flip) {
+        // V' = V + S a Δt; X' = X + S m^-1 p Δt + ½ S a Δt², that is Δt ½ (B + E); or E Δt if that is asked for, as
+        // "many codes use" it (FMPM paper §2.3).
+        if (transfer.position == PositionUpdate::end_velocity) return {.v_V = 1, .v_E = 1, .v_B = -1, .x_E = 1};
+        return {.v_V = 1, .v_E = 1, .v_B = -1, .x_E = 0.5, .x_B = 0.5};
+    }
     MoveRule rule;
     rule.v_E = 1; // V' = E
     if (transfer.scheme == TransferScheme::xpic && transfer.order > 1) {

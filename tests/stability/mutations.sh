@@ -25,7 +25,7 @@ wall-impulse-sign|src/boundary/impose.cpp|s/total\[a\] += control.impulse/total[
 missing-J-in-Cauchy|src/results/particle_frame.cpp|s/tau\[c\] \/ J;/tau[c] \/ (1 + 0 * J);/
 lumped-for-full-mass|src/step/filter_velocities.cpp|s/order < state.effects.extra_orders; ++order/order < 0; ++order/
 friction-without-limit|src/contact/law/friction.h|s/return at_rest \* N;/return 1e30 * N;/
-wrong-dF-order|src/step/update_stress.h|s/product<D>(linear ? linear_increment<D>(dv) : exponential(dv), particles.deformation_gradient\[p\])/product<D>(particles.deformation_gradient[p], linear ? linear_increment<D>(dv) : exponential(dv))/
+wrong-dF-order|src/step/update_stress.h|s/product<D>(dF, particles.deformation_gradient\[p\])/product<D>(particles.deformation_gradient[p], dF)/
 wrong-ledger-work|src/contact/contact_totals.cpp|s/state_.ledger.contact_work += work;/state_.ledger.contact_work -= work;/
 LIST
 }
