@@ -86,11 +86,11 @@ void advise_spin(const Scene& scene, Problems& advice) {
         std::ostringstream text;
         text.precision(2);
         text << "\"" << name << "\" spins by " << spin * step << " rad a step, "
-             << spin * scene.time.end / (2 * std::numbers::pi) << " turns in all: its radius may grow by up to ";
+             << spin * scene.time.end / (2 * std::numbers::pi) << " turns in all: its radius may ";
         if (growth < 1)
-            text << 100 * growth << " %";
+            text << "grow by up to " << 100 * growth << " %";
         else
-            text << 1 + growth << " times";
+            text << "more than double";
         text << "; use " << (linear ? "" : "\"deformation_increment\": \"linear\"")
              << (linear || grid_positions ? "" : " and ")
              << (grid_positions ? "" : "\"position\": \"end-velocity\" in /method/transfer") << ", or smaller steps";
